@@ -200,7 +200,7 @@ class Fails(unittest.TestCase):
 
     def test_what_nobody_foresaw(self):
         small_scene()
-        with mock.patch.object(engine, 'export', side_effect=KeyError('Specular')):
+        with mock.patch.object(engine, 'Exporting', side_effect=KeyError('Specular')):
             self.fails("aips: KeyError: 'Specular' .* the console has more")
 
 
@@ -255,6 +255,32 @@ class Cancels(unittest.TestCase):
         self.assertFalse([s for s in asked.said if 'ERROR' in s])
 
 
+    def test_a_program_that_goes_on_is_ended(self):
+        """Within two seconds, and what it has written by then is kept."""
+        small_scene(1)
+        asked = Asked()
+        asked.test_break = lambda: any('first pass' in said for said in asked.said)
+        found = engine.Render(asked, bpy.context.evaluated_depsgraph_get(), FOLDER)
+        begun = time.monotonic()
+        with mock.patch.object(found, '_arguments', lambda _path: [sys.executable, '-c', DEAF]):
+            found.run()
+        self.assertLess(time.monotonic() - begun, 4)
+        self.assertEqual(asked.said[-1], 'ended')
+        self.assertFalse([s for s in asked.said if 'ERROR' in s])
+
+    def test_an_export_is_broken_off(self):
+        small_scene(1)
+        asked = Asked()
+        asked.test_break = lambda: True
+        engine.Render(asked, bpy.context.evaluated_depsgraph_get(), FOLDER).run()
+        self.assertEqual(asked.said, ['aips: exporting the scene'])
+
+
+DEAF = """
+import signal, time
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+time.sleep(60)
+"""
 PRINTS = '''
 import sys, time
 print('pass 46 of 110, 0:11 gone, about 0:15 left, error 13.5 %', file=sys.stderr, flush=True)

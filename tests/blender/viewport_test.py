@@ -11,6 +11,7 @@ from mathutils import Matrix
 import fixture
 import small_scenes as scenes
 from aips_blender import viewport
+from aips_blender.export import meshes
 
 PATIENCE = 30  # seconds
 
@@ -94,7 +95,7 @@ class Previews(unittest.TestCase):
 
     def test_another_view_writes_no_mesh_again(self):
         self.preview.change()
-        with mock.patch.object(viewport, 'export', wraps=viewport.export) as export:
+        with mock.patch.object(viewport, 'Exporting', wraps=viewport.Exporting) as export:
             first = self.draw(context(self.camera, self.window))
             scene_file = first[1]
             meshes = files(scene_file.replace('.lxs', '-files'))
@@ -116,9 +117,48 @@ class Previews(unittest.TestCase):
             self.assertNotEqual(fourth[1], scene_file)
             self.assertFalse(os.path.exists(os.path.dirname(scene_file)))
 
+    def test_an_export_goes_on_in_slices(self):
+        """A mesh at a time; what changes meanwhile is exported anew, of what is written by then
+        only what has changed."""
+        for i in range(5):
+            scenes.ball(f'ball {i}', 0.2 + 0.01 * i, None, (i - 2, -1, 1))
+        self.depsgraph = bpy.context.evaluated_depsgraph_get()
+        seen = context(self.camera, self.window)
+        written = []
+        with mock.patch.object(viewport, 'SLICE', 0), \
+                mock.patch.object(meshes, 'write_parts', wraps=meshes.write_parts) as write:
+            self.preview.change()
+            for _ in range(4):
+                self.preview.draw(self.engine, seen, self.depsgraph)
+                written.append(write.call_count)
+            self.assertEqual(written, [1, 2, 3, 4])
+            self.assertEqual(self.engine.said, 'aips: exporting the scene')
+            self.assertIsNone(self.preview._state.running)
+            first = bpy.data.objects['ball 0']
+            first.data.vertices[0].co.z = 3
+            first.data.update()
+            self.depsgraph.update()
+            self.preview.change([SimpleNamespace(id=first, is_updated_geometry=True)])
+            found = self.draw(seen)
+            self.assertEqual(write.call_count, 9)  # ball 0 comes twice
+        self.assertEqual(text_of(found[1]).count('"plymesh"'), 8)
+
+    def test_what_has_not_changed_is_not_read_again(self):
+        self.preview.change()
+        seen = context(self.camera, self.window)
+        self.draw(seen)
+        box = bpy.data.objects['box']
+        box.location.x += 1
+        self.depsgraph.update()
+        for changed, reads in ((False, 0), (True, 1)):
+            self.preview.change([SimpleNamespace(id=box, is_updated_geometry=changed)])
+            with mock.patch.object(meshes, 'write_parts', wraps=meshes.write_parts) as write:
+                self.draw(seen)
+            self.assertEqual(write.call_count, reads)
+
     def test_what_nobody_foresaw_is_told(self):
         self.preview.change()
-        with mock.patch.object(viewport, 'export', side_effect=KeyError('Specular')):
+        with mock.patch.object(viewport, 'Exporting', side_effect=KeyError('Specular')):
             self.preview.draw(self.engine, context(self.camera, self.window), self.depsgraph)
         self.assertRegex(self.engine.said, "aips: KeyError: 'Specular'")
 

@@ -10,7 +10,8 @@ import bpy
 from . import command, exr, passes, preferences, process, settings, status, viewport
 from .export.camera import of_eye
 from .export.kept import Kept
-from .export.scene import ExportError, export
+from .export.motion import Motion
+from .export.scene import ExportError, Exporting, export
 from .export.versions import set_pixels
 from .reasons import Told, reason
 
@@ -65,10 +66,10 @@ class AipsRenderEngine(bpy.types.RenderEngine):
         tell_left_out(self, exported.left_out)
         self.report({'INFO'}, f'aips: {path} is written')
 
-    def view_update(self, _context, _depsgraph):
+    def view_update(self, _context, depsgraph):
         if self._preview is None:
             self._preview = viewport.Preview()
-        self._preview.change()
+        self._preview.change(depsgraph.updates)
 
     def view_draw(self, context, depsgraph):
         if self._preview is not None:
@@ -100,8 +101,9 @@ class Render:
         scene, view_layer = self._depsgraph.scene, self._depsgraph.view_layer
         self._engine.update_stats('', 'aips: exporting the scene')
         self._film = settings.film_of(scene, view_layer)
-        exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
-                          self._engine.frame_set, kept=kept_between_renders())
+        exported = self._export()
+        if exported is None:
+            return
         tell_left_out(self._engine, exported.left_out)
         for eye in _eyes(scene.render):
             if eye:
@@ -113,6 +115,17 @@ class Render:
             whole = self._engine.get_result()
             for key, text in told.items():
                 whole.stamp_data_add_field(key, text)
+
+    def _export(self):
+        """None where the user ends it."""
+        exporting = Exporting(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
+                              Motion(self._depsgraph, self._engine.frame_set),
+                              kept=kept_between_renders())
+        while not self._engine.test_break():
+            exported = exporting.go_on(SECONDS_BETWEEN_LOOKS)
+            if exported:
+                return exported
+        return None
 
     def _look_by(self, eye, exported):
         """Lets the scene's file have the camera of one of the views of a stereoscopic render."""
@@ -155,7 +168,9 @@ class Render:
             while running.running():
                 if self._engine.test_break():
                     running.interrupt()
-                    break
+                    running.wait(process.SECONDS_TO_CANCEL)
+                    self._load()
+                    return
                 self._show(time.monotonic() - begun, running.log.progress)
                 time.sleep(SECONDS_BETWEEN_LOOKS)
             code = running.wait()

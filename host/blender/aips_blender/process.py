@@ -15,7 +15,8 @@ LINES_KEPT = 1000      # the latest; errors and the statistics of --explain come
 WARNINGS_KEPT = 500    # the first; of the scene there are a hundred kinds at most
 # Of a line of progress: passes, and from the third the error in percent.
 PROGRESS = re.compile(r'pass (\d+)(?: of \d+)?, [\d:]+ gone(?:.*?, error ([\d.e+-]+) %)?')
-SECONDS_TO_END = 60   # after an interrupt; a pass may take that long
+SECONDS_TO_END = 60   # of the last image, which may be denoised
+SECONDS_TO_CANCEL = 1.5  # after an interrupt; then the image so far is all
 INTERRUPTED = 130     # lxsrender's exit code after an interrupt, with the image written
 
 
@@ -110,10 +111,10 @@ class Process:
             self._process.kill()
         self.wait()
 
-    def wait(self):
-        """Waits for its end, and ends it where that takes too long; its exit code."""
+    def wait(self, seconds=SECONDS_TO_END):
+        """Waits for its end, and ends it where that takes longer; its exit code."""
         try:
-            self._process.wait(SECONDS_TO_END)
+            self._process.wait(seconds)
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()

@@ -15,12 +15,17 @@ from . import command, exr, passes, preferences, process, settings, status
 from .export.camera import View, window_of
 from .export.film import Film
 from .export.kept import Kept
-from .export.scene import export
+from .export.motion import Motion
+from .export.scene import Exporting
 from .reasons import reason
 
 LONGEST_SIDE = 480       # pixels of the preview's image
 SECONDS = 60             # for which a preview converges
+SLICE = 0.05             # seconds of an export between two redraws, in which Blender waits
 SECONDS_OF_PEACE = 0.3   # without a change, before a render starts
+
+
+SHAPES = (bpy.types.Mesh, bpy.types.Curve, bpy.types.MetaBall)  # also of new names
 
 
 class Preview:
@@ -30,22 +35,27 @@ class Preview:
         self._state = _State()
         # The engine that holds this goes without notice, or Blender does.
         weakref.finalize(self, self._state.end)
-        self._exported = None  # the scene as it is now
+        self._exporting = None  # the export of it that goes on
+        self._exported = None   # the scene as it is now
+        self._due = False       # whether a render is to begin once it is exported
         self._wanted = None    # film and view
         self._changed = None   # when scene or view changed, until the render for that has begun
         self._seen, self._header, self._begun = 0, {}, 0.0
         self._texture = None
         self._image = ''
 
-    def change(self):
-        """The scene has changed: it is to be exported anew."""
-        self._exported = None
+    def change(self, updates=()):
+        """The scene has changed: it is to be exported anew, by updates of the dependency graph."""
+        for update in updates:
+            if update.is_updated_geometry or isinstance(update.id, SHAPES):
+                self._state.kept.changed(update.id.name_full)
+        self._exported = self._exporting = None
         self._end_soon()
 
     def _end_soon(self):
         """What goes on is ended, and a new render begins soon."""
         self._state.stop()
-        self._changed = time.monotonic()
+        self._changed, self._due = time.monotonic(), False
 
     def draw(self, engine, context, depsgraph):
         wanted = film_of(context, depsgraph.scene), seen_by(context)
@@ -54,8 +64,10 @@ class Preview:
             self._end_soon()
         if self._changed is not None:
             if time.monotonic() - self._changed > SECONDS_OF_PEACE:
-                self._start(engine, depsgraph)
+                self._changed, self._due = None, True
             engine.tag_redraw()
+        if self._due:
+            self._go_on(engine, depsgraph)
         self._look()
         if self._texture is not None:
             engine.bind_display_space_shader(depsgraph.scene)
@@ -65,29 +77,43 @@ class Preview:
             engine.unbind_display_space_shader()
         self._tell(engine)
 
-    def _start(self, engine, depsgraph):
-        self._changed = None
-        self._header, self._begun = {}, time.monotonic()
+    def _go_on(self, engine, depsgraph):
         try:
-            chosen = preferences.of(bpy.context)
-            program = process.find(chosen.program)
-            self._export(depsgraph)
-            folder = self._state.new_folder('image')
-            self._image = os.path.join(folder, 'image.exr')
-            self._state.running = process.Process(
-                command.arguments(program, self._exported.path, self._image, chosen.threads),
-                folder)
+            program = process.find(preferences.of(bpy.context).program)
+            if self._is_exported(depsgraph):
+                self._start(program)
+            else:
+                engine.update_stats('', 'aips: exporting the scene')
+                engine.tag_redraw()
         except Exception as error:  # whatever it is, the user sees it in the viewport
+            self._due = False
+            self._exporting = None
             engine.update_stats('', f'aips: {reason(error)}')
 
-    def _export(self, depsgraph):
-        """Meshes and images are written where the scene has changed, not for another view."""
+    def _start(self, program):
+        self._due = False
+        self._header, self._begun = {}, time.monotonic()
+        folder = self._state.new_folder('image')
+        self._image = os.path.join(folder, 'image.exr')
+        self._state.running = process.Process(
+            command.arguments(program, self._exported.path, self._image,
+                              preferences.of(bpy.context).threads), folder)
+
+    def _is_exported(self, depsgraph):
+        """Goes on with that; meshes and images are written where the scene has changed, not for
+        another view."""
         film, view = self._wanted
-        if self._exported is not None:
-            self._exported.look(film, view[0], (view[1],))
-            return
-        path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
-        self._exported = export(path, depsgraph, film, view=view, kept=self._state.kept)
+        if self._exported is None:
+            if self._exporting is None:
+                path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
+                self._exporting = Exporting(path, depsgraph, film, Motion(depsgraph, None), view,
+                                            self._state.kept, noted=True)
+            self._exported = self._exporting.go_on(SLICE)
+            if self._exported is None:
+                return False
+            self._exporting = None
+        self._exported.look(film, view[0], (view[1],))
+        return True
 
     def _look(self):
         try:

@@ -6,6 +6,7 @@ import atexit
 import hashlib
 import shutil
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -13,18 +14,27 @@ from .corners import array, uv_of
 
 
 class Kept:
-    """Files of meshes by content; those that an export does not use go with the next one."""
+    """Files of meshes by content; those that an export has not used go as it ends.
+
+    One `worker` writes them all: what is written last is written when all is.
+    """
 
     def __init__(self):
         self.folder = tempfile.mkdtemp(prefix='aips-meshes-')
+        self.worker = ThreadPoolExecutor(1)
         self._parts, self._used = {}, {}
+        self._count = 0
+        self._unchanged = {}  # content and slots by names of an object and its data
         atexit.register(self.end)
 
     def begin(self):
-        """An export begins: what the one before it has not used goes."""
+        """An export begins, of one that was broken off too."""
+        self._used = {}
+
+    def done(self):
+        """An export has ended: what it has not used goes."""
         for key in set(self._parts) - set(self._used):
             self._parts.pop(key)[0].remove()
-        self._used = {}
 
     def of(self, key):
         """What was kept, or None."""
@@ -35,7 +45,30 @@ class Kept:
     def keep(self, key, parts, told):
         self._parts[key], self._used[key] = (parts, told), True
 
+    def drop(self, key):
+        """Its files could not be written."""
+        self._parts.pop(key, None)
+
+    def unchanged(self, names):
+        """Content and used slots of a mesh that `changed` was not told of since, or None."""
+        return self._unchanged.get(names)
+
+    def new(self):
+        """A content of its own, for what is known to have changed."""
+        self._count += 1
+        return f'new-{self._count}'
+
+    def note(self, names, content_and_slots):
+        if names:
+            self._unchanged[names] = content_and_slots
+
+    def changed(self, name):
+        """What is of this name, an object or its data, has another shape."""
+        for names in [names for names in self._unchanged if name in names]:
+            del self._unchanged[names]
+
     def end(self):
+        self.worker.shutdown(wait=False)
         shutil.rmtree(self.folder, ignore_errors=True)
         atexit.unregister(self.end)
 

@@ -23,10 +23,13 @@ def _needs(shader):
 
 
 class MeshFiles:
-    """`kept`: a Kept that goes from one export to the next, or None."""
+    """`kept`: a Kept that goes from one export to the next, or None; `work(what, *arguments)` does
+    what is slow; `noted`: whether `kept` is told of what changes."""
 
-    def __init__(self, folder, materials, left_out, kept=None):
+    def __init__(self, folder, materials, left_out, work, kept=None, noted=False):
         self._folder = folder
+        self._work = work
+        self._noted = noted
         self._kept = kept
         self._materials = materials
         self._left_out = left_out
@@ -95,7 +98,8 @@ class MeshFiles:
         slot = max(min(slot, len(thing.material_slots) - 1), 0)
         shader = self._shader(thing, slot, info)
         parts = meshes.write_tubes(rows, faces, self._folder,
-                                   f'{len(self.known)}-{safe_name(thing.name)}', slot, shader)
+                                   f'{len(self.known)}-{safe_name(thing.name)}', slot, shader,
+                                   self._work)
         return Mesh(thing.name, parts, {slot: dataclasses.replace(shader, medium=CLEAR)})
 
     def _written(self, thing, info):
@@ -105,11 +109,13 @@ class MeshFiles:
         def tell(what):
             self._left_out.add(what, thing.name)
 
-        mesh = thing.to_mesh()
-        try:
-            parts = mesh and self._parts(mesh, safe_name(thing.name), shader, tell)
-        finally:
-            thing.to_mesh_clear()
+        parts = self._unchanged(info.names, shader, tell)
+        if parts is None:
+            mesh = thing.to_mesh()
+            try:
+                parts = mesh and self._parts(mesh, thing, info.names, shader, tell)
+            finally:
+                thing.to_mesh_clear()
         if parts is None:
             return None
         shaders = {slot: shader(slot) for slot in parts.files}
@@ -118,24 +124,53 @@ class MeshFiles:
             shaders = {slot: dataclasses.replace(s, medium=CLEAR) for slot, s in shaders.items()}
         return Mesh(thing.name, parts, shaders)
 
-    def _parts(self, mesh, name, shader, tell):
+    def _unchanged(self, names, shader, tell):
+        """MeshParts of what has not changed since the last export, or None."""
+        found = names and self._kept and self._noted and self._kept.unchanged(names)
+        known = self._kept.of(self._key_of(*found, shader)) if found else None
+        return self._told(known, tell) if known else None
+
+    @staticmethod
+    def _told(known, tell):
+        parts, told = known
+        for what in told:
+            tell(what)
+        return dataclasses.replace(parts)
+
+    @staticmethod
+    def _key_of(content, slots, shader):
+        return content, tuple((slot, *_needs(shader(slot))) for slot in slots)
+
+    def _parts(self, mesh, thing, names, shader, tell):
         """MeshParts, those of the export before where they are the same."""
-        content = self._kept and mesh.polygons and kept.content(mesh)
+        content = self._kept and mesh.polygons and (
+            self._kept.new() if self._noted and names else kept.content(mesh))
+        stem = f'{len(self.known)}-{safe_name(thing.name)}'
         if not content:
-            return meshes.write_parts(mesh, self._folder, f'{len(self.known)}-{name}', shader, tell)
-        made = [(slot, shader(slot)) for slot in kept.used_slots(mesh)]
-        key = (content, tuple((slot, *_needs(s)) for slot, s in made))
+            return meshes.write_parts(mesh, self._folder, stem, shader, tell, self._work)
+        slots = kept.used_slots(mesh)
+        key = self._key_of(content, slots, shader)
         known = self._kept.of(key)
         if known is None:
             told = []
-            stem = f'{content}-{len(self.known)}-{name}'
-            known = (meshes.write_parts(mesh, self._kept.folder, stem, shader, told.append), told)
+
+            def work(what, *arguments):
+                self._work(self._or_drop, key, what, *arguments)
+
+            known = (meshes.write_parts(mesh, self._kept.folder, f'{content}-{stem}', shader,
+                                        told.append, work), told)
             if known[0] is None:
                 return None
             self._kept.keep(key, *known)
-        for what in known[1]:
-            tell(what)
-        return dataclasses.replace(known[0])
+        self._kept.note(names, (content, slots))
+        return self._told(known, tell)
+
+    def _or_drop(self, key, what, *arguments):
+        try:
+            what(*arguments)
+        except BaseException:
+            self._kept.drop(key)
+            raise
 
     def _may_be_filled(self, thing, parts):
         """Whether the volume of a mesh's material can be carried over."""

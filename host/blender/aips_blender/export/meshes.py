@@ -16,7 +16,7 @@ BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind
 class MeshParts:
     """Files of a mesh by material slot; of parts that shine also those of their backs."""
     bounds: tuple                 # least and greatest coordinates
-    closed: bool
+    closed: bool                  # where that is asked for: something fills it, or it shines
     files: dict = dataclasses.field(default_factory=dict)
     backs: dict = dataclasses.field(default_factory=dict)
     shines_outwards: bool = False  # alone: no back can be seen, but from within
@@ -57,44 +57,58 @@ def _signed_volume(positions):
     return float((a * np.cross(b, c)).sum() / 6)
 
 
-def write_parts(mesh, folder, stem, shader, tell):
+def write_parts(mesh, folder, stem, shader, tell, work):
     """Writes the mesh's parts as `folder/stem-SLOT.ply`; None where it has no triangle.
 
-    `shader(slot)` is the Shader of a part; `tell(what)` says what of the mesh is left out.
+    `shader(slot)` is the Shader of a part; `tell(what)` says what of the mesh is left out. What is
+    slow and needs no mesh of Blender's is handed to `work(what, *arguments)`.
     Cycles' meshes shine on both sides, LuxRender's on that of their normals: what shines gets a
     back.
     """
     corners = Corners(mesh) if mesh.polygons else None
-    if corners is None or not len(corners.slots):
+    if corners is None or not corners.slots:
         return None
-    positions = corners.positions
-    parts = MeshParts((positions.min(axis=0), positions.max(axis=0)), is_closed(mesh))
-    used = {slot: shader(slot) for slot in map(int, np.unique(corners.slots))}
+    used = {slot: shader(slot) for slot in corners.slots}
+    filled = any(made.medium != CLEAR for made in used.values())
+    shines = any(made.emission is not None for made in used.values())
+    parts = MeshParts(corners.bounds(), (filled or shines) and is_closed(mesh))
     for slot, made in used.items():
-        chosen, has_uv, has_color = corners.rows(slot, made.layers, tell)
-        rows, faces = ply.welded(chosen)
-        _add(parts, slot, os.path.join(folder, f'{stem}-{slot}'), made,
-             (rows, faces, has_uv, has_color))
-        if made.medium != CLEAR:
-            parts.triangles = positions.reshape(-1, 3, 3).astype(float)
-    parts.shines_outwards = parts.closed and _shines_outwards(mesh, used.values(), positions)
+        _add(parts, slot, os.path.join(folder, f'{stem}-{slot}'), made)
+        work(_write_corners, parts.files[slot], parts.backs.get(slot), corners, slot,
+             corners.read(made.layers, tell))
+    if filled:
+        parts.triangles = corners.positions.reshape(-1, 3, 3).astype(float)
+    parts.shines_outwards = parts.closed and shines and \
+        _shines_outwards(mesh, used.values(), corners.positions)
     return parts
 
 
-def write_tubes(rows, faces, folder, stem, slot, made):
+def write_tubes(rows, faces, folder, stem, slot, made, work):
     """MeshParts of hair, which is of one material, a Shader."""
     parts = MeshParts((rows[:, :3].min(axis=0), rows[:, :3].max(axis=0)), False)
-    _add(parts, slot, os.path.join(folder, stem), made, (rows, faces, rows.shape[1] > 6, False))
+    _add(parts, slot, os.path.join(folder, stem), made)
+    work(_write_sides, parts.files[slot], parts.backs.get(slot), rows, faces, rows.shape[1] > 6,
+         False)
     return parts
 
 
-def _add(parts, slot, stem, made, part):
-    """Writes one part's file or files; `part` is what _write takes."""
+def _add(parts, slot, stem, made):
+    """Names one part's file or files."""
     parts.files[slot] = f'{stem}.ply'
-    _write(parts.files[slot], *part)
     if made.emission is not None:
         parts.backs[slot] = f'{stem}-back.ply'
-        _write(parts.backs[slot], _turned(part[0]), part[1][:, ::-1], *part[2:])
+
+
+def _write_corners(path, back, corners, slot, read):
+    chosen, has_uv, has_color = corners.rows(slot, read)
+    rows, faces = ply.welded(chosen)
+    _write_sides(path, back, rows, faces, has_uv, has_color)
+
+
+def _write_sides(path, back, rows, faces, has_uv, has_color):
+    _write(path, rows, faces, has_uv, has_color)
+    if back:
+        _write(back, _turned(rows), faces[:, ::-1], has_uv, has_color)
 
 
 def _turned(rows):

@@ -5,12 +5,16 @@ WORD = 0xffffffff
 
 
 class ObjectInfo:
-    """Of an instance of the dependency graph, whose object is not kept."""
+    """Of an instance of the dependency graph, whose object is not kept. `names`, of the object and
+    its data, are those by which changes of its shape are told; None where there are none."""
 
     def __init__(self, instance):
         thing = instance.object
         number = instance.random_id & WORD if instance.is_instance else hashed(thing.name)
         self._thing = thing.original
+        # Instances that nodes make may share their names with others.
+        self.names = None if instance.is_instance else (thing.original.name_full,
+                                                        thing.data.name_full if thing.data else '')
         self._known = {'Object Index': (float(thing.pass_index),), 'Random': (number / WORD,),
                        'Color': tuple(thing.color)[:3], 'Alpha': (thing.color[3],),
                        'Location': tuple(instance.matrix_world.translation)}

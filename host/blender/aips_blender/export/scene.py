@@ -2,7 +2,10 @@
 import contextlib
 import dataclasses
 import functools
+import math
 import os
+import time
+from concurrent.futures import ThreadPoolExecutor, wait
 
 import bpy
 
@@ -44,25 +47,71 @@ class Exported:
             file.write(self._text.of(film, name, shown, matrices))
 
 
-def export(path, depsgraph, film, frame_set=None, view=None, kept=None):
+def export(path, depsgraph, film, frame_set=None, kept=None):
     """Writes `path` and the folder beside it.
 
-    `frame_set(frame, subframe)` moves the dependency graph in time, for motion blur; `view` is a
-    (View, matrix) in place of the scene's camera; `kept` a Kept, in whose folder meshes and
-    images then lie.
+    `frame_set(frame, subframe)` moves the dependency graph in time, for motion blur; `kept` is a
+    Kept, in whose folder meshes and images then lie.
     """
-    if kept:
-        kept.begin()
-    folder = os.path.splitext(path)[0] + '-files'
-    with _told_by_path(folder):
-        os.makedirs(folder, exist_ok=True)
-        export_ = _SceneExport(os.path.dirname(path), folder, depsgraph, kept)
-        export_.collect(Motion(depsgraph, frame_set))
-        shown, matrices = export_.view(film) if view is None else (view[0], (view[1],))
-        text = export_.text('objects' in film.layers)
-    exported = Exported(path, export_.left_out.lines(), (shown, matrices), text)
-    exported.look(film, shown, matrices)
-    return exported
+    exporting = Exporting(path, depsgraph, film, Motion(depsgraph, frame_set), kept=kept)
+    while True:
+        exported = exporting.go_on()
+        if exported:
+            return exported
+
+
+class Exporting:
+    """An export that goes on in slices, so that Blender's interface goes on, too.
+
+    Between slices the dependency graph must not change. `view` is a (View, matrix) in place of the
+    scene's camera; `noted`: whether `kept` is told of meshes that change.
+    """
+
+    def __init__(self, path, depsgraph, film, motion, view=None, kept=None, noted=False):
+        self._path, self._film, self._view, self._motion = path, film, view, motion
+        self._kept = kept
+        self._own_worker = None if kept else ThreadPoolExecutor(1)
+        self._jobs = []    # the futures of what is written aside
+        self._text = None  # the future of the whole text
+        folder = os.path.splitext(path)[0] + '-files'
+        if kept:
+            kept.begin()
+        with _told_by_path(folder):
+            os.makedirs(folder, exist_ok=True)
+        self._export = _SceneExport(os.path.dirname(path), folder, depsgraph, self._work, kept,
+                                    noted)
+
+    def _work(self, what, *arguments):
+        worker = self._kept.worker if self._kept else self._own_worker
+        self._jobs.append(worker.submit(what, *arguments))
+        return self._jobs[-1]
+
+    def go_on(self, seconds=math.inf):
+        """For about so long, one mesh at least; the Exported once all is written, else None."""
+        with _told_by_path(self._path):
+            if self._text is None:
+                if not self._export.collect(self._motion, time.monotonic() + seconds):
+                    return None
+                self._camera = self._export.view(self._film) if self._view is None else \
+                    (self._view[0], (self._view[1],))
+                write = self._export.text('objects' in self._film.layers)
+                self._text = self._work(self._finish, write)
+            wait([self._text], None if seconds == math.inf else seconds)
+            if not self._text.done():
+                return None
+            for job in self._jobs:
+                job.result()
+        if self._kept:
+            self._kept.done()
+        else:
+            self._own_worker.shutdown()
+        return self._text.result()
+
+    def _finish(self, write):
+        text = write()  # which tells what is left out, too
+        exported = Exported(self._path, self._export.left_out.lines(), self._camera, text)
+        exported.look(self._film, *self._camera)
+        return exported
 
 
 @contextlib.contextmanager
@@ -75,7 +124,7 @@ def _told_by_path(path):
 
 
 class _SceneExport:
-    def __init__(self, base, folder, depsgraph, kept):
+    def __init__(self, base, folder, depsgraph, work, kept, noted):
         self._folder = folder
         self._depsgraph = depsgraph
         layer = depsgraph.view_layer_eval
@@ -89,13 +138,19 @@ class _SceneExport:
         self._lights = Lights(self._text, folder, self._textures, self.left_out, self._exposure)
         self._objects = Objects(depsgraph.view_layer, self.left_out)
         self._meshes = MeshFiles(folder, Materials(
-            self._text, self._textures, self.left_out, layer.material_override), self.left_out, kept)
+            self._text, self._textures, self.left_out, layer.material_override), self.left_out, work,
+            kept, noted)
         self._placed, self._lamps = [], []
         self._camera = None
 
-    def collect(self, motion):
-        """Writes meshes and materials, and notes what is placed where."""
+    def collect(self, motion, until):
+        """Writes meshes and materials, and notes what is placed where; False where time is up, to
+        be begun anew: what is written by then takes next to no time."""
+        self._placed, self._lamps = [], []
+        begun = len(self._meshes.known)
         for instance in self._depsgraph.object_instances:
+            if len(self._meshes.known) > begun and time.monotonic() > until:
+                return False
             matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
             info = ObjectInfo(instance)
             if instance.show_self:
@@ -106,6 +161,7 @@ class _SceneExport:
         if scene_camera is not None:
             self._camera = scene_camera.evaluated_get(self._depsgraph)
             self._camera_matrices = motion.of(None, self._camera.matrix_world.copy())
+        return True
 
     def _collect_instance(self, instance, info, matrices, blurs):
         thing = instance.object
@@ -140,13 +196,19 @@ class _SceneExport:
                 is_singular(matrices[0])))
 
     def text(self, names_apart):
-        """The world's statements; all materials are written by now."""
+        """What makes the SceneText, without Blender; all materials are written by now."""
         world = World(self._text, self._folder, self._textures, self.left_out, self._exposure)
         spaces = self._spaces(world.medium(self._world))
         materials = self._text.taken()
         media = Media(self._text)
-        self._write_things(world, media, spaces, names_apart)
-        return SceneText(self._text, materials, self._text.taken(), media, spaces)
+        self._write_lights(world, media, spaces)
+
+        def write():
+            Shapes(self._text, media, spaces, self.left_out, names_apart, self._exposure).write(
+                self._meshes.known, self._placed)
+            return SceneText(self._text, materials, self._text.taken(), media, spaces)
+
+        return write
 
     def _spaces(self, world_medium):
         spaces = Spaces(world_medium, self.left_out)
@@ -167,8 +229,8 @@ class _SceneExport:
             self.left_out.add('volumes that move hold what is in them as the shutter opens',
                               placed.name)
 
-    def _write_things(self, world, media, spaces, names_apart):
-        """Lights and shapes, with the media that they stand in."""
+    def _write_lights(self, world, media, spaces):
+        """With the media that they stand in."""
         world.write(self._world, media, spaces.world)
         for name, light, matrix, seen, group in self._lamps:
             far = light.type == 'SUN'
@@ -177,8 +239,6 @@ class _SceneExport:
             media.sides(around, around)
             self._lights.write(name, light, matrix, seen, group)
             self._text.statement('AttributeEnd')
-        Shapes(self._text, media, spaces, self.left_out, names_apart, self._exposure).write(
-            self._meshes.known, self._placed)
 
     def view(self, film):
         """View and matrices of the scene's camera."""

@@ -14,6 +14,7 @@ from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
 TOUCH = 0.04     # photons below what lets light through and touches the floor
+RIM = 0.04       # dark blocks at a cone's rim, where Cycles' discs are turned to what they light
 DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
 MEAN = 0.04      # a mix by angle has its mean: a sheet that is seen slantingly differs
@@ -28,10 +29,10 @@ class Agreement(unittest.TestCase):
               end='', flush=True)
         self.assertLess(worst, within)
 
-    def lit_by(self, kind, energy, **settings):
+    def lit_by(self, kind, energy, within=0.02, **settings):
         scene = scenes.stage()
         scenes.light(kind, energy, **{'place': (0.5, -1.0, 3.5), 'turn': (0.2, 0.1, 0), **settings})
-        self.agrees(kind.lower(), scene)
+        self.agrees(kind.lower(), scene, within)
 
     def ball(self, name, node_type, within=0.02, **inputs):
         """A ball of a material before the stage, under a wide lamp and a grey sky."""
@@ -55,6 +56,15 @@ class Lights(Agreement):
 
     def test_spot(self):
         self.lit_by('SPOT', 800, shadow_soft_size=0, spot_size=1.2, spot_blend=0.4)
+
+    def test_spot_with_a_radius(self):
+        self.lit_by('SPOT', 800, RIM, shadow_soft_size=0.1, spot_size=1.2, spot_blend=0.4)
+
+    def test_spread(self):
+        self.lit_by('AREA', 200, shape='RECTANGLE', size=1, size_y=0.5, spread=math.radians(100))
+
+    def test_narrow_spread(self):
+        self.lit_by('AREA', 200, RIM, shape='DISK', size=1, spread=math.radians(40))
 
     def test_sun(self):
         self.lit_by('SUN', 2, angle=math.radians(5))

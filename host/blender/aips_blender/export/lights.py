@@ -18,7 +18,7 @@ from .lxs_text import color, factor, parameter
 
 LEAST_SUN_ANGLE = 1e-4   # radians of half angle; below it the sun's rays are parallel
 PARALLEL = 2.0 ** -16    # 1 - cosine of the cone that light "distant" takes for a theta of 0
-SPOT_ROWS = 4096         # of a spot's map, over the half turn
+ROWS = 4096              # of a map of intensity by angle, over the half turn
 
 
 class Lights:
@@ -62,12 +62,24 @@ class Lights:
         strength = self._textures.constant_number(found.input('Strength'), 'strengths of lights')
         return tuple(c * strength for c in tint)
 
-    def _shape_emits(self, rgb, radiance, seen):
-        """What makes the shape that follows shine and block no light, as Cycles' lights."""
+    def _shape_emits(self, rgb, radiance, seen, profile=None):
+        """What makes the shape that follows shine and block no light, as Cycles' lights.
+
+        It sends as much light as one of a radiance, with `profile` of this intensity by angle.
+        """
         self._text.statement('AreaLightSource', 'area', parameters=[
             color('L', rgb), factor('gain', radiance), factor('power', 0.0),
-            factor('efficacy', 0.0), *hidden(not seen)])
+            factor('efficacy', 0.0), *hidden(not seen), *self._map(profile)])
         self._text.statement('Material', 'null')
+
+    def _map(self, profile):
+        """The parameter of a map of intensity by polar angle, or nothing."""
+        if profile is None:
+            return []
+        stem = self._text.free_name('profile').replace(' ', '-')
+        path = os.path.join(self._folder, stem + '.exr')
+        exr.write(path, np.repeat(profile[:, None, None], 3, axis=2).repeat(2, axis=1))
+        return [self._text.file(path, 'mapname')]
 
     def _point(self, name, light, matrix, rgb, seen):
         place = tuple(matrix[row][3] for row in range(3))
@@ -82,24 +94,25 @@ class Lights:
         self._text.statement('Shape', 'sphere', parameters=[
             factor('radius', radius), parameter('string', 'name', name)])
 
-    def _spot(self, name, light, matrix, rgb, _seen):
-        """A map of intensity by direction, as light "spot" has another falloff than Cycles."""
-        if light.shadow_soft_size > 0:
-            self._left_out.add('radii of spot lights are left out, shadows are hard', name)
+    def _spot(self, name, light, matrix, rgb, seen):
+        """A map of intensity by direction, as light "spot" has another falloff than Cycles; of one
+        with a radius that of a disc."""
         frame = transforms.around_axis(matrix)
         if frame is None:
             return
-        profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, SPOT_ROWS,
+        profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, ROWS,
                                by_cosine=versions.BLENDER_3)
-        stem = self._text.free_name('spot').replace(' ', '-')
-        path = os.path.join(self._folder, stem + '.exr')
-        exr.write(path, np.repeat(profile[:, None, None], 3, axis=2).repeat(2, axis=1))
         # "goniometric" sends 4 pi L however narrow the map; the map's top is +z, a spot's axis -z.
         self._text.matrix('ConcatTransform', frame)
         self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
+        mean, radius = light.energy / (4 * math.pi) * sphere_mean(profile), light.shadow_soft_size
+        if radius > 0:
+            self._shape_emits(rgb, 4 * mean / (math.pi * radius ** 2), seen, profile)
+            self._text.statement('Shape', 'disk', parameters=[
+                factor('radius', radius), parameter('string', 'name', name)])
+            return
         self._text.statement('LightSource', 'goniometric', parameters=[
-            color('L', rgb), factor('gain', light.energy / (4 * math.pi) * sphere_mean(profile)),
-            self._text.file(path, 'mapname')])
+            color('L', rgb), factor('gain', mean), *self._map(profile)])
 
     def _sun(self, _name, light, matrix, rgb, seen):
         """L of light "distant" is the irradiance times the solid angle of its cone."""
@@ -118,8 +131,6 @@ class Lights:
     def _area(self, name, light, matrix, rgb, seen):
         if versions.setting(False, (light, 'cycles.is_portal')):
             return
-        if light.spread < math.pi - 1e-3:
-            self._left_out.add('spreads of area lights are left out', name)
         height = light.size_y if light.shape in ('RECTANGLE', 'ELLIPSE') else light.size
         flat = light.shape in ('DISK', 'ELLIPSE')
         edges = [math.sqrt(sum(matrix[row][axis] ** 2 for row in range(3))) for axis in (0, 1)]
@@ -131,7 +142,9 @@ class Lights:
         self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
         self._text.statement('Scale', light.size / 2, height / 2, 1.0)
         share = 4 if versions.BLENDER_3 else math.pi
-        self._shape_emits(rgb, light.energy / (share * area), seen)
+        narrow = light.spread < math.pi - 1e-3
+        self._shape_emits(rgb, light.energy / (share * area), seen,
+                          spread_profile(light.spread, ROWS) if narrow else None)
         if flat:
             self._text.statement('Shape', 'disk', parameters=[parameter('string', 'name', name)])
             return
@@ -157,6 +170,14 @@ def spot_profile(rim, blend, rows, by_cosine):
     share = np.clip((cosine - rim) / width, 0, 1) if width > 0 else (cosine > rim).astype(float)
     smooth = share * share * (3 - 2 * share)
     return np.where(cosine > rim, smooth * (cosine if by_cosine else 1), 0).astype(np.float32)
+
+
+def spread_profile(spread, rows):
+    """Of an area light behind Cycles' grid of slats, likewise: none beyond half the spread."""
+    half = max(spread / 2, math.radians(0.5))
+    angle = np.pi * (np.arange(rows) + 0.5) / rows
+    front = np.minimum(angle, np.pi / 2 - 1e-6)
+    return (np.maximum(math.tan(half) - np.tan(front), 0) * np.cos(front)).astype(np.float32)
 
 
 def sphere_mean(profile):

@@ -16,6 +16,7 @@ SMOOTH = 1e-4      # GGX width below which a surface is taken for smooth
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 REFLECTANCE_OF_HAIR = 0.046  # of an index of 1.55 at normal incidence
 WIDTH_OF_HAIR = 0.3          # of its highlight along the fibre, about
+RADIAL_ROUGHNESS = 0.3       # unless it is set
 # Absorption of the pigments, and what of it darkens hair in the mass by its roughness (Chiang and
 # others 2016), as Cycles has them.
 EUMELANIN, PHEOMELANIN = (0.506, 0.841, 1.653), (0.343, 0.733, 1.924)
@@ -243,7 +244,9 @@ class Shaders:
             amount = -math.log(max(1 - melanin, 1e-4))
             absorbed = tuple(amount * ((1 - red) * dark + red * light)
                              for dark, light in zip(EUMELANIN, PHEOMELANIN))
-        around = self.textures.constant_number(found.input('Radial Roughness'), 'roughness of hair')
+        place = found.input('Radial Roughness')  # of one of two models from 4.0 on
+        around = self.textures.constant_number(place, 'roughness of hair') if place else \
+            RADIAL_ROUGHNESS
         scale = sum(c * around ** i for i, c in enumerate(ALBEDO_BY_ROUGHNESS))
         return tuple(math.exp(-scale * max(a, 0.0) ** 0.5) for a in absorbed)
 

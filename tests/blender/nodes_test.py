@@ -74,6 +74,32 @@ class Nodes(unittest.TestCase):
             Distortion=0.5).outputs['Color']
             for kind, links in (('1D', fourth), ('2D', place), ('4D', {**place, **fourth}))]))
 
+    def fractal(self, kind, **inputs):
+        """By node Musgrave, or from 4.1 on the Noise that it became."""
+        if hasattr(bpy.types, 'ShaderNodeTexMusgrave'):
+            return self.node('ShaderNodeTexMusgrave', settings={'musgrave_type': kind},
+                             **{'Scale': 3.0, 'Dimension': 0.8, 'Detail': 3.0, **inputs})
+        detail = inputs.pop('Detail', 3.0) - 1
+        return self.node('ShaderNodeTexNoise', settings={'noise_type': kind, 'normalize': False},
+                         **{'Scale': 3.0, 'Roughness': 2 ** -0.8, 'Detail': detail, **inputs})
+
+    def shown(self, fractal, scale=0.4, shift=0.3):
+        """What is mostly from 0 to 1 of a fractal."""
+        node = self.node('ShaderNodeMath', {0: fractal.outputs[0]}, {
+            'operation': 'MULTIPLY_ADD', 'use_clamp': True})
+        node.inputs[1].default_value, node.inputs[2].default_value = scale, shift
+        return node.outputs[0]
+
+    def test_sums_and_products_of_octaves(self):
+        self.agrees(self.mean([self.shown(self.fractal('FBM', Detail=2.6)),
+                               self.shown(self.fractal('MULTIFRACTAL', Detail=2.6))]))
+
+    def test_terrains_and_ridges(self):
+        self.agrees(self.mean([
+            self.shown(self.fractal('HETERO_TERRAIN', Offset=0.6), 0.4, 0.1),
+            self.shown(self.fractal('RIDGED_MULTIFRACTAL', Offset=0.8, Gain=1.6), 0.8, 0.0),
+            self.shown(self.fractal('HYBRID_MULTIFRACTAL', Offset=0.5, Gain=1.2), 0.4, 0.1)]))
+
     def test_noise_by_object_coordinates_that_are_mapped(self):
         mapping = self.node('ShaderNodeMapping', {
             'Vector': self.node('ShaderNodeTexCoord').outputs['Object']},

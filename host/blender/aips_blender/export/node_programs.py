@@ -7,6 +7,7 @@ import numpy as np
 
 from . import graph
 from .folded import folded
+from .fractals import Fractal
 from .layers import RENDERED
 from .lxs_text import parameter
 from .versions import setting
@@ -111,6 +112,10 @@ class Program:
     def float(self, found, *names):
         place = found.input(*names)
         return '0' if place is None else self.of(place, 'float')
+
+    def set(self, found, name):
+        """A number that is to be the same everywhere."""
+        return self._textures.constant_number(found.input(name), f'{name} of noises')
 
     def color(self, found, *names):
         return self.of(found.input(*names), 'color')
@@ -436,8 +441,12 @@ def node_dimensions(found):
 
 def _noise(program, found):
     node = found.node
-    if getattr(node, 'noise_type', 'FBM') != 'FBM' or not getattr(node, 'normalize', True):
-        program.tell('noises of other kinds are replaced by normalized sums of octaves')
+    kind = getattr(node, 'noise_type', 'FBM')  # from 4.1 on
+    if kind != 'FBM' or not getattr(node, 'normalize', True):
+        if found.output.name != 'Color' and program.float(found, 'Distortion') == '0':
+            detail, fade = (program.set(found, what) for what in ('Detail', 'Roughness'))
+            return _fractal(program, found, kind, detail + 1, fade)
+        program.tell('distorted and coloured noises of other kinds are normalized sums of octaves')
     lacunarity = program.float(found, 'Lacunarity') if found.input('Lacunarity') else '2'
     return program.emit('noise', _kind(found), node_dimensions(found), program.place(found),
                         program.float(found, 'W'), program.float(found, 'Scale'),
@@ -506,13 +515,27 @@ def _magic(program, found):
                         text(found.node.turbulence_depth), program.float(found, 'Distortion'))
 
 
+def _fractal(program, found, kind, octaves, fade):
+    lacunarity = max(program.set(found, 'Lacunarity'), 1e-5)
+    scale = program.float(found, 'Scale')
+
+    def noise(octave, detail, roughness):
+        times = text(lacunarity ** octave)
+        finer = program.emit('math', 'multiply', scale, times, '0') if octave else scale
+        return program.emit('noise', 'fac', node_dimensions(found), program.place(found),
+                            program.float(found, 'W'), finer, text(detail), text(roughness),
+                            text(lacunarity), '0')
+
+    offset, gain = (program.set(found, what) if found.input(what) else 0.0
+                    for what in ('Offset', 'Gain'))
+    return Fractal(program, noise, octaves, fade, offset, gain).of(kind)
+
+
 def _musgrave(program, found):
-    program.tell('noises of other kinds are replaced by normalized sums of octaves')
-    noise = program.emit('noise', 'fac', node_dimensions(found), program.place(found),
-                         program.float(found, 'W'), program.float(found, 'Scale'),
-                         program.float(found, 'Detail'), '0.5',
-                         program.float(found, 'Lacunarity'), '0')
-    return program.emit('math', 'multiply_add', noise, '2', '-1')
+    lacunarity = max(program.set(found, 'Lacunarity'), 1e-5)
+    fade = lacunarity ** -max(program.set(found, 'Dimension'), 1e-5)
+    return _fractal(program, found, found.node.musgrave_type,
+                    min(program.set(found, 'Detail'), 15.0), fade)
 
 
 NODES = {

@@ -133,6 +133,15 @@ class Materials(Agreement):
         self.ball('metal', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.7, 0.4, 1),
                   Roughness=0.4, Metallic=1)
 
+    def test_anisotropic_metal(self):
+        """Whose tangents, about its axis, are those of its uv map."""
+        for kind, inputs in (('Principled', {'Metallic': 1, 'Anisotropic': 0.8}),
+                             ('Anisotropic', {'Anisotropy': 0.6})):
+            color = {'Base_Color' if kind == 'Principled' else 'Color': (0.9, 0.7, 0.4, 1)}
+            with self.subTest(kind):
+                self.ball(f'stretched {kind}', f'ShaderNodeBsdf{kind}', FACETS, Roughness=0.5,
+                          **color, **inputs)
+
     def test_principled_glass(self):
         self.ball('principled glass', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.95, 0.9, 1),
                   Roughness=0, Transmission=1)

@@ -110,7 +110,7 @@ class Materials(unittest.TestCase):
         text, left_out = exported('odd')
         self.assertIn('vector multiply r0 3', text)
         self.assertEqual(left_out, [
-            'anisotropy of glossy surfaces is left out: odd',
+            'anisotropy goes along u: odd',
             'linked rotations of node Mapping are taken as they are set: odd',
             'nodes Attribute are replaced by grey: odd',
             'normals that a node Bump is given are left out: odd',

@@ -17,7 +17,7 @@ SUBSURFACE = ('Subsurface Weight', 'Subsurface')
 # Both sides are coated, and white loses nothing between the facets and under the coating.
 CONSERVING = (parameter('bool', 'conserving', True),)
 DIELECTRIC = parameter('string', 'fresnel', 'dielectric')
-LEFT_OUT = (('Anisotropic',), ('Sheen Weight', 'Sheen'), ('Transmission Roughness',),
+LEFT_OUT = (('Sheen Weight', 'Sheen'), ('Transmission Roughness',),
             ('Diffuse Roughness',), ('Thin Film Thickness',))
 
 
@@ -69,6 +69,9 @@ def _mixed(shaders, found, name):
         edge = found.input('Specular Tint')
         if _is_of_blender_4(found) and shaders.textures.color(edge) != WHITE:
             shaders.left_out.add('tinted edges of metals are left out', name)
+        stretched = shaders.stretched(found, width, 'Anisotropic Rotation')
+        if isinstance(stretched, tuple):
+            return shaders.metal(part, base, stretched, bump)
         smooth = not isinstance(width, str) and width < SMOOTH
         if smooth or found.node.distribution != 'MULTI_GGX':  # facets of GGX alone lose light
             return shaders.metal(part, base, width, bump)
@@ -83,6 +86,8 @@ def _mixed(shaders, found, name):
         return shaders.dielectric(part, WHITE, tint, index, width, bump)
 
     def coated(part):
+        if shaders.textures.number(found.input('Anisotropic')) != 0.0:
+            shaders.left_out.add('anisotropy of what is no metal is left out', name)
         return _coated(shaders, found, part, _with_subsurface(shaders, found, base, name), width,
                        bump)
 

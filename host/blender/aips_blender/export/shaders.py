@@ -119,11 +119,32 @@ class Shaders:
 
     def glossy(self, found, name):
         tint = self.textures.color(found.input('Color'))
-        along = found.input('Anisotropy')  # of Anisotropic BSDF
-        if along and self.textures.number(along) != 0:
-            self.left_out.add('anisotropy of glossy surfaces is left out', name)
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
-        return Shader(self.metal(name, tint, width, self.bump(found)))
+        return Shader(self.metal(name, tint, self.stretched(found, width, 'Rotation'),
+                                 self.bump(found)))
+
+    def stretched(self, found, width, rotation):
+        """A node's width, or where it has an anisotropy widths along its tangent and across."""
+        place = found.input('Anisotropy', 'Anisotropic')
+        by = self.textures.constant_number(place, 'anisotropy') if place else 0.0
+        if by == 0.0:
+            return width
+        if isinstance(width, str) or width < SMOOTH:
+            self.left_out.add('anisotropy of smooth surfaces and of textures is left out')
+            return width
+        turn = found.input(rotation)
+        if turn and self.textures.number(turn) != 0.0:
+            self.left_out.add('rotations of anisotropy are left out')
+        tangent = graph.source(found.input('Tangent'))
+        if not (tangent and tangent.node.type == 'TANGENT' and
+                tangent.node.direction_type == 'UV_MAP'):
+            self.left_out.add('anisotropy goes along u')
+        if place.socket.name == 'Anisotropic':  # of Principled
+            aspect = (1 - 0.9 * min(max(by, 0.0), 1.0)) ** 0.5
+            return width / aspect, width * aspect
+        by = min(max(by, -0.99), 0.99)
+        return (width / (1 + by), width * (1 + by)) if by < 0 else (width * (1 - by),
+                                                                    width / (1 - by))
 
     def coat(self, found, name, base, reflectance):
         """A glossy node over a material, by a dielectric's share of this at normal incidence."""
@@ -153,13 +174,17 @@ class Shaders:
 
     def metal(self, name, tint, width, bump):
         """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
-        if not isinstance(width, str) and width < SMOOTH:
+        if isinstance(width, float) and width < SMOOTH:
             return self.named(name, 'mirror', [color('Kr', tint), *bump])
         fresnel = self.text.free_name(f'{name}: fresnel')
         self.text.statement('Texture', fresnel, 'fresnel', 'fresnelcolor',
                             parameters=[color('Kr', tint)])
-        return self.named(name, 'metal2', [parameter('texture', 'fresnel', fresnel),
-                                           *self.roughness(width), *bump])
+        parts = [parameter('texture', 'fresnel', fresnel), *bump]
+        if isinstance(width, tuple):  # whose highlights are those of these facets alone
+            return self.named(name, 'metal2', [
+                *parts, parameter('string', 'distribution', 'ggx'),
+                factor('uroughness', width[0]), factor('vroughness', width[1])])
+        return self.named(name, 'metal2', [*parts, *self.roughness(width)])
 
     @staticmethod
     def roughness(width):
@@ -215,9 +240,8 @@ class Shaders:
         edge = found.input('Edge Tint')
         if edge and self.textures.color(edge) != neutral:
             self.left_out.add('tinted edges of metals are left out', name)
-        if self.textures.number(found.input('Anisotropy')) != 0:
-            self.left_out.add('anisotropy of glossy surfaces is left out', name)
-        return Shader(self.metal(name, tint, self.width(found), self.bump(found)))
+        return Shader(self.metal(name, tint, self.stretched(found, self.width(found), 'Rotation'),
+                                 self.bump(found)))
 
     def scattering(self, found, name):
         self.left_out.add('scattering below the surface is replaced by diffuse', name)

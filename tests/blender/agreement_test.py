@@ -130,8 +130,11 @@ class Materials(Agreement):
         self.ball('glossy', 'ShaderNodeBsdfGlossy', FACETS, Color=(0.8, 0.8, 0.8, 1), Roughness=0.4)
 
     def test_principled_metal(self):
-        self.ball('metal', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.7, 0.4, 1),
+        self.ball('metal', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.9, 0.7, 0.4, 1),
                   Roughness=0.4, Metallic=1)
+
+    def test_roughest_glossy(self):
+        self.ball('roughest', 'ShaderNodeBsdfGlossy', 0.08, Color=(0.9, 0.7, 0.4, 1), Roughness=1)
 
     def test_anisotropic_metal(self):
         """Whose tangents, about its axis, are those of its uv map."""

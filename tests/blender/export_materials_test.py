@@ -117,6 +117,25 @@ class Materials(unittest.TestCase):
             "the world's coordinates by nodes are left out: World"])
 
 
+class Furnace(unittest.TestCase):
+    def test_white_metals_and_coats_lose_no_light(self):
+        """A white ball before a white world is not seen, however rough."""
+        for rough in (0.0, 0.5, 1.0):
+            for metallic in (0, 1):
+                scene = scenes.clear()
+                scenes.background(scene, (1, 1, 1), 1)
+                made = scenes.material('white', 'ShaderNodeBsdfPrincipled', Roughness=rough,
+                                       Base_Color=(1, 1, 1, 1), Metallic=metallic)
+                made.node_tree.nodes[0].distribution = 'MULTI_GGX'
+                scenes.ball('ball', 1, made, (0, 0, 0))
+                scenes.camera((0, -4, 0), (1.5708, 0, 0), 50)
+                exported('furnace', Film(32, 32, passes=64, integrator='path'))
+                image = render('furnace').mean(-1)
+                found = image.reshape(8, 4, 8, 4).mean((1, 3))
+                print(f'[{rough} {metallic}: {abs(found - 1).max():.3f}] ', end='')
+                self.assertLess(abs(found - 1).max(), 0.02)
+
+
 class ByAngle(unittest.TestCase):
     def test_gloss_by_fresnel_over_what_is_transparent_is_a_pane(self):
         scenes.stage()

@@ -67,6 +67,16 @@ class Meshes(unittest.TestCase):
         self.assertNotIn('plymesh', exported('empty')[0])
 
 
+    def test_triangles_without_area_are_left_out_in_silence(self):
+        mesh = bpy.data.meshes.new('flat')
+        mesh.from_pydata([(0, 0, 1), (1, 0, 1), (1, 1, 1), (2, 0, 1)], [], [(0, 1, 2), (0, 1, 3)])
+        scenes.add('flat', mesh)
+        scenes.background(bpy.context.scene, (1, 1, 1), 1)
+        text, left_out = exported('no area', Film(8, 8, passes=1))
+        self.assertEqual((vertices_of(text), left_out), ([3], []))
+        render('no area')
+
+
 class Curves(unittest.TestCase):
     """Blender yields texts and the like as themselves, and again as instances of their meshes."""
 

@@ -9,6 +9,7 @@ from . import ply
 from .corners import Corners, array
 from .media import CLEAR
 
+LEAST_SINE = 1e-12  # of triangles, as in lxsrender
 BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind its front
 
 
@@ -101,8 +102,16 @@ def _add(parts, slot, stem, made):
 
 def _write_corners(path, back, corners, slot, read):
     chosen, has_uv, has_color = corners.rows(slot, read)
-    rows, faces = ply.welded(chosen)
+    rows, faces = ply.welded(_with_area(chosen))
     _write_sides(path, back, rows, faces, has_uv, has_color)
+
+
+def _with_area(corners):
+    """Without triangles that have none, of which nothing is to be said: many meshes hold some."""
+    a, b, c = np.moveaxis(corners[:, :3].reshape(-1, 3, 3).astype(float), 1, 0)
+    longest = np.max([((q - p) ** 2).sum(axis=1) for p, q in ((a, b), (b, c), (c, a))], axis=0)
+    there = np.linalg.norm(np.cross(b - a, c - a), axis=1) > LEAST_SINE * longest
+    return corners[np.repeat(there, 3)] if there.any() else corners
 
 
 def _write_sides(path, back, rows, faces, has_uv, has_color):

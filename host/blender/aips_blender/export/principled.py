@@ -3,7 +3,7 @@
 Sockets have the names of Blender 4 here, and those of Blender 3 behind them.
 """
 from .lxs_text import factor, parameter
-from .shaders import BLACK, SMOOTH, WHITE, Shader, color
+from .shaders import BLACK, CONSERVING, WHITE, Shader, color
 from .versions import BLENDER_3
 
 REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Blender 3's Specular is 1
@@ -14,8 +14,6 @@ COAT = ('Coat Weight', 'Clearcoat')
 COAT_ROUGHNESS = ('Coat Roughness', 'Clearcoat Roughness')
 CLEARCOAT = 0.25 * 0.04  # reflectance of Blender 3's clearcoat of 1
 SUBSURFACE = ('Subsurface Weight', 'Subsurface')
-# Both sides are coated, and white loses nothing between the facets and under the coating.
-CONSERVING = (parameter('bool', 'conserving', True),)
 DIELECTRIC = parameter('string', 'fresnel', 'dielectric')
 LEFT_OUT = (('Sheen Weight', 'Sheen'), ('Transmission Roughness',),
             ('Diffuse Roughness',), ('Thin Film Thickness',))
@@ -69,14 +67,8 @@ def _mixed(shaders, found, name):
         edge = found.input('Specular Tint')
         if _is_of_blender_4(found) and shaders.textures.color(edge) != WHITE:
             shaders.left_out.add('tinted edges of metals are left out', name)
-        stretched = shaders.stretched(found, width, 'Anisotropic Rotation')
-        if isinstance(stretched, tuple):
-            return shaders.metal(part, base, stretched, bump)
-        smooth = not isinstance(width, str) and width < SMOOTH
-        if smooth or found.node.distribution != 'MULTI_GGX':  # facets of GGX alone lose light
-            return shaders.metal(part, base, width, bump)
-        return shaders.named(part, 'glossy', [color('Kd', BLACK), color('Ks', base), *CONSERVING,
-                                              *shaders.roughness(width), *bump])
+        return shaders.metal_of(found, part, base, shaders.stretched(
+            found, width, 'Anisotropic Rotation'), bump)
 
     def glass(part):
         index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
@@ -153,7 +145,7 @@ def _coated(shaders, found, name, base, width, bump):
         if isinstance(base, tuple):
             base = tuple(min(c, 1.0) for c in base)
     return shaders.named(name, 'glossy', [
-        color('Kd', base), color('Ks', coat), *CONSERVING, DIELECTRIC, *shaders.roughness(width),
+        color('Kd', base), color('Ks', coat), CONSERVING, DIELECTRIC, *shaders.roughness(width),
         *bump])
 
 

@@ -1,7 +1,6 @@
 """Writes one LuxRender material for each of Blender's simple shader nodes.
 
-Cycles' GGX width is roughness squared; the scene language's `uroughness` has the same meaning, as
-Schlick's distribution of facets with r = u v is GGX's with alpha^2 = r.
+Cycles' GGX width is roughness squared, and the scene language's `uroughness` has the same meaning.
 """
 import dataclasses
 import math
@@ -13,6 +12,9 @@ from .lxs_text import color as color_as_written, factor, parameter
 from .media import CLEAR, Medium
 
 SMOOTH = 1e-4      # GGX width below which a surface is taken for smooth
+FACETS = parameter('string', 'distribution', 'ggx')  # Cycles' too
+# Both sides are coated, and white loses nothing between the facets and under the coating.
+CONSERVING = parameter('bool', 'conserving', True)
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 REFLECTANCE_OF_HAIR = 0.046  # of an index of 1.55 at normal incidence
 WIDTH_OF_HAIR = 0.3          # of its highlight along the fibre, about
@@ -120,8 +122,16 @@ class Shaders:
     def glossy(self, found, name):
         tint = self.textures.color(found.input('Color'))
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
-        return Shader(self.metal(name, tint, self.stretched(found, width, 'Rotation'),
-                                 self.bump(found)))
+        return Shader(self.metal_of(found, name, tint, self.stretched(found, width, 'Rotation'),
+                                    self.bump(found)))
+
+    def metal_of(self, found, name, tint, width, bump):
+        """By facets alone, or without what these lose, as a node has it."""
+        smooth = isinstance(width, float) and width < SMOOTH
+        if smooth or isinstance(width, tuple) or found.node.distribution != 'MULTI_GGX':
+            return self.metal(name, tint, width, bump)
+        return self.named(name, 'glossy', [color('Kd', BLACK), color('Ks', tint), CONSERVING,
+                                           *self.roughness(width), *bump])
 
     def stretched(self, found, width, rotation):
         """A node's width, or where it has an anisotropy widths along its tangent and across."""
@@ -179,16 +189,13 @@ class Shaders:
         fresnel = self.text.free_name(f'{name}: fresnel')
         self.text.statement('Texture', fresnel, 'fresnel', 'fresnelcolor',
                             parameters=[color('Kr', tint)])
-        parts = [parameter('texture', 'fresnel', fresnel), *bump]
-        if isinstance(width, tuple):  # whose highlights are those of these facets alone
-            return self.named(name, 'metal2', [
-                *parts, parameter('string', 'distribution', 'ggx'),
-                factor('uroughness', width[0]), factor('vroughness', width[1])])
-        return self.named(name, 'metal2', [*parts, *self.roughness(width)])
+        return self.named(name, 'metal2', [parameter('texture', 'fresnel', fresnel), FACETS,
+                                           *self.roughness(width), *bump])
 
     @staticmethod
     def roughness(width):
-        return [factor('uroughness', width), factor('vroughness', width)]
+        along, across = width if isinstance(width, tuple) else (width, width)
+        return [factor('uroughness', along), factor('vroughness', across)]
 
     def glass(self, found, name):
         tint = self.textures.color(found.input('Color'))
@@ -204,7 +211,7 @@ class Shaders:
         parts = [color('Kr', reflected), color('Kt', refracted), factor('index', index), *bump]
         if not isinstance(width, str) and width < SMOOTH:
             return self.named(name, 'glass', parts)
-        return self.named(name, 'roughglass', parts + self.roughness(width))
+        return self.named(name, 'roughglass', [*parts, FACETS, *self.roughness(width)])
 
     def transparent(self, found, name):
         tint = self.textures.color(found.input('Color'))
@@ -240,8 +247,8 @@ class Shaders:
         edge = found.input('Edge Tint')
         if edge and self.textures.color(edge) != neutral:
             self.left_out.add('tinted edges of metals are left out', name)
-        return Shader(self.metal(name, tint, self.stretched(found, self.width(found), 'Rotation'),
-                                 self.bump(found)))
+        width = self.stretched(found, self.width(found), 'Rotation')
+        return Shader(self.metal_of(found, name, tint, width, self.bump(found)))
 
     def scattering(self, found, name):
         self.left_out.add('scattering below the surface is replaced by diffuse', name)

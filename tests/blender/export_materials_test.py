@@ -297,7 +297,8 @@ class Layers(unittest.TestCase):
         told = ['normal maps by another uv map than the first are by that one: grey',
                 'of the uv maps and colours that a material reads two are taken: grey']
         both = self.mesh('both', *told)
-        self.assertEqual((both['s'].max(), set(both['red']), set(both['blue'])), (0.875, {0.25}, {0}))
+        self.assertEqual((both['s'].max(), set(both['red']), set(both['blue'])),
+                         (0.875, {0.25}, {0}))
 
     def test_a_uv_map_that_is_not_there(self):
         picture = self.reads('Color', 'ShaderNodeTexImage',

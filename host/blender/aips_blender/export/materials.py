@@ -29,7 +29,7 @@ class Materials:
         self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
         self._known = {}  # Shaders by material, and by what they depend on
-        self._reads = {}  # of a material: whether it depends on the mesh's box, and on what of objects
+        self._reads = {}  # of a material whether it depends on the mesh's box, on what of objects
         self._leaves = {
             'BSDF_DIFFUSE': self._shaders.diffuse, 'BSDF_GLOSSY': self._shaders.glossy,
             'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,

@@ -24,7 +24,7 @@ class ObjectInfo:
         return self._known[name] if name in self._known else self._attribute(name[1:])
 
     def _attribute(self, name):
-        """A property of the object or its data, of users or of Blender; else black, as in Cycles."""
+        """A property of the object or its data, of users or of Blender; black if there is none."""
         for owner in (self._thing, self._thing.data):
             value = owner.get(name) if owner is not None else None
             if value is None:

@@ -138,8 +138,8 @@ class _SceneExport:
         self._lights = Lights(self._text, folder, self._textures, self.left_out, self._exposure)
         self._objects = Objects(depsgraph.view_layer, self.left_out)
         self._meshes = MeshFiles(folder, Materials(
-            self._text, self._textures, self.left_out, layer.material_override), self.left_out, work,
-            kept, noted)
+            self._text, self._textures, self.left_out, layer.material_override),
+            self.left_out, work, kept, noted)
         self._placed, self._lamps = [], []
         self._camera = None
 

@@ -1,4 +1,4 @@
-"""Reads strands of hair, of particles and of Curves objects, and makes them meshes of thin tubes."""
+"""Makes strands of hair, of particles and of Curves objects, meshes of thin tubes."""
 import dataclasses
 
 import numpy as np
@@ -100,7 +100,7 @@ def tubes(strands):
     angles = 2 * part * np.arange(count)
     along, side = rings
     up = np.cross(side, along)
-    out = np.cos(angles)[None, :, None] * side[:, None] + np.sin(angles)[None, :, None] * up[:, None]
+    out = np.cos(angles)[:, None] * side[:, None] + np.sin(angles)[:, None] * up[:, None]
     # A polygon of the circle's perimeter has its width, in the mean over directions.
     radii = np.maximum(strands.radii, LEAST_TIP * strands.radii.max()) * part / np.sin(part)
     places = strands.points[:, None] + radii[:, None, None] * out

@@ -63,7 +63,7 @@ class Textures:
         return angles.mean_fresnel(self.index_by_angle(by))
 
     def of_object(self, name):
-        """A value of ObjectInfo; told, and None, where there is no object."""
+        """A value of ObjectInfo; None where there is no object."""
         if self.info is None:
             return None
         self.read.of_object.add(name)

@@ -222,7 +222,7 @@ class EyePath {
 
     /// How glossy lobes among those that bounce take photons.
     PointGloss gloss_at(const SurfacePoint& point, Vec3 wo, LobeMask bouncing) const {
-        if (!(bouncing & kGlossy) || !in_.shares || !in_.shares->photons_on_gloss ||
+        if (!(bouncing & kGlossy) || !in_.shares || !in_.settings.caustics_on_gloss ||
             !in_.keep_visible_points)
             return {};
         const bool later = result_.before.usable;

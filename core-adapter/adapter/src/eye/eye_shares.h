@@ -47,9 +47,7 @@ struct EyeShares {
     }
 
     ShareTable table;
-    /// Whether photons bring light to glossy lobes that bounce as well.
-    bool photons_on_gloss = false;
-    std::optional<GlossTable> gloss;  ///< who brings caustics to them, if any are cast
+    std::optional<GlossTable> gloss;  ///< who brings caustics to glossy lobes, if any
     /// Whether there is light that photons alone bring to them: of a delta light, by way of
     /// specular surfaces.
     bool gloss_needs_photons = false;

@@ -117,9 +117,9 @@ class PhotonTrace {
     /// Leaves a photon where the surface takes one.
     PhotonFate take(const SurfacePoint& point, const PhotonState& photon) {
         const LobeMask lobes = point.bsdf->lobes();
-        const bool caustic_on_gloss =
+        const bool on_gloss =
             in_.settings.caustics_on_gloss && (lobes & kGlossy) && photon.part != ImagePart::Direct;
-        if (!(lobes & receiving_) && !caustic_on_gloss) return PhotonFate::Specular;
+        if (!(lobes & receiving_) && !on_gloss) return PhotonFate::Specular;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
         if (owned_by_shadow_rays && !in_.store_owned) return PhotonFate::Direct;
         const bool stored = store(point, photon, owned_by_shadow_rays);

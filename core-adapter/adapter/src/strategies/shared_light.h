@@ -31,9 +31,7 @@ class SharedLight {
           photon_square_(width, height),
           width_(width),
           height_(height) {
-        if (!settings.caustics_on_gloss) return;
-        shares_.photons_on_gloss = true;
-        if (!(scene.facts().lobes & kSpecular)) return;
+        if (!settings.caustics_on_gloss || !(scene.facts().lobes & kSpecular)) return;
         shares_.gloss.emplace(scene.bounds());
         shares_.gloss_needs_photons = !std::ranges::all_of(
             scene.lights(), [&](const Light* light) { return eye_paths_meet(*light, settings); });

@@ -279,6 +279,13 @@ class Volumes(Agreement):
         # By "path", whose passes in fog are cheap: what is looked at is the scene.
         self.agrees('volumes', scene, FOG, 'path')
 
+    def test_cloud_by_nodes(self):
+        """Of a density by noise in object coordinates, and a colour that changes with height."""
+        scene = scenes.lit_stage()
+        cloud = scenes.cloudy_volume('cloud', density=4)
+        scenes.box('cloud', 1.6, cloud, (0.8, -0.2, 0.8), (0, 0, 0.4)).scale = (1, 0.8, 0.9)
+        self.agrees('cloud', scene, FOG, 'path')
+
     def test_tinted_glass(self):
         scene = scenes.lit_stage()
         glass = scenes.material('glass', 'ShaderNodeBsdfGlass', Roughness=0, IOR=1.0)

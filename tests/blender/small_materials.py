@@ -59,6 +59,29 @@ def link_volume(tree, output, node_type, inputs):
         shader.inputs[key.replace('_', ' ')].default_value = value
 
 
+def cloudy_volume(name, density):
+    """A volume of noise in object coordinates, between none and `density`; its colour is one below
+    and another one above."""
+    made = volume(name, 'ShaderNodeVolumePrincipled', Anisotropy=0.3)
+    tree = made.node_tree
+    place, noise, ramp, range_, axes = (tree.nodes.new(f'ShaderNode{kind}') for kind in (
+        'TexCoord', 'TexNoise', 'ValToRGB', 'MapRange', 'SeparateXYZ'))
+    noise.inputs['Scale'].default_value, noise.inputs['Detail'].default_value = 2.5, 1
+    for key, value in (('From Min', 0.45), ('From Max', 0.65), ('To Max', density)):
+        range_.inputs[key].default_value = value
+    ramp.color_ramp.elements[0].color = (0.9, 0.4, 0.2, 1)
+    ramp.color_ramp.elements[1].color = (0.5, 0.8, 0.9, 1)
+    shader = tree.nodes['Principled Volume'].inputs
+    for output, to in ((place.outputs['Object'], noise.inputs['Vector']),
+                       (noise.outputs['Fac'], range_.inputs['Value']),
+                       (range_.outputs[0], shader['Density']),
+                       (place.outputs['Generated'], axes.inputs[0]),
+                       (axes.outputs['Z'], ramp.inputs['Fac']),
+                       (ramp.outputs['Color'], shader['Color'])):
+        tree.links.new(output, to)
+    return made
+
+
 def grey(value=0.6):
     return material('grey', 'ShaderNodeBsdfDiffuse', Color=(value, value, value, 1))
 

@@ -5,7 +5,8 @@ import bpy
 
 from small_materials import (  # some for the tests, which find all here
     add_group_socket, add_volume, blackbody_material, bumpy_material, checker_material,
-    gloss_by_fresnel, grey, half_transparent, image, image_material, link_volume, mapping, material, socket, volume)
+    cloudy_volume, gloss_by_fresnel, grey, half_transparent, image, image_material, link_volume,
+    mapping, material, socket, volume)
 
 
 def clear():

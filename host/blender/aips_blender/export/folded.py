@@ -21,6 +21,12 @@ MATH = {
     'sine': lambda a, b, c: math.sin(a), 'cosine': lambda a, b, c: math.cos(a),
     'radians': lambda a, b, c: math.radians(a), 'degrees': lambda a, b, c: math.degrees(a),
 }
+VECTOR = {
+    'add': lambda a, b, c: a + b, 'subtract': lambda a, b, c: a - b,
+    'multiply': lambda a, b, c: a * b, 'multiply_add': lambda a, b, c: a * b + c,
+    'divide': lambda a, b, c: np.array([_divided(x, y) for x, y in zip(a, b)]),
+    'minimum': lambda a, b, c: np.minimum(a, b), 'maximum': lambda a, b, c: np.maximum(a, b),
+}
 MIX = {'mix': lambda a, b: b, 'add': lambda a, b: a + b, 'multiply': lambda a, b: a * b,
        'subtract': lambda a, b: a - b, 'darken': np.minimum, 'lighten': np.maximum,
        'difference': lambda a, b: abs(a - b)}
@@ -44,6 +50,8 @@ def _once(words, values):
         return np.array([operand(w)[0] for w in rest])
     if name == 'math' and rest[0] in MATH:
         return np.full(3, MATH[rest[0]](*(float(operand(w)[0]) for w in rest[1:])))
+    if name == 'vector' and rest[0] in VECTOR:
+        return VECTOR[rest[0]](*map(operand, rest[1:4]))
     if name == 'mix' and rest[0] in MIX:
         by, a, b = map(operand, rest[1:])
         return a + by[0] * (MIX[rest[0]](a, b) - a)

@@ -2,10 +2,10 @@
 import dataclasses
 
 from . import graph, versions
-from .media import MediumNodes
 from .object_info import values_of
 from .principled import mix, principled
 from .shaders import Shader, Shaders, color
+from .volume_shaders import MediumNodes
 
 DEFAULT_GREY = (0.8, 0.8, 0.8)  # Cycles' surface without a material
 
@@ -28,6 +28,7 @@ class Materials:
         self._textures = textures
         self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
+        self._border = None  # name of the material around volumes
         self._known = {}  # Shaders by material, and by what they depend on
         self._reads = {}  # of a material whether it depends on the mesh's box, on what of objects
         self._leaves = {
@@ -43,14 +44,15 @@ class Materials:
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
         }
 
-    def shader(self, material, box=None, info=None):
+    def shader(self, material, box=None, info=None, fills=False):
         """The Shader of a material, which may be None, on a mesh of this box, by which generated
-        coordinates go: its least corner and size; and on an object of this ObjectInfo."""
+        coordinates go: its least corner and size; and on an object of this ObjectInfo. `fills`:
+        the object is of type volume and has no surface."""
         material = self._override or material
-        name = material.name_full if material else None
+        name = material.name_full if material else None, fills
         key = self._key(name, box, info)
         if key not in self._known:
-            made = self._read(material, box, info)
+            made = self._read(material, name, box, info)
             key = self._key(name, box, info)  # more of it may be known
             self._known[key] = dataclasses.replace(made, of_object=self._reads[name][1])
         return self._known[key]
@@ -59,12 +61,12 @@ class Materials:
         by_box, of_object = self._reads.get(name, (False, frozenset()))
         return name, box if by_box else None, info and values_of(info, of_object)
 
-    def _read(self, material, box, info):
-        textures, name = self._textures, material.name_full if material else None
+    def _read(self, material, name, box, info):
+        textures = self._textures
         self._left_out.reading = material.name if material else ''
         textures.box, textures.info = box, info
         textures.material_index = material.pass_index if material else 0
-        made = self._made(material)
+        made = self._filling(material) if name[1] else self._made(material)
         if isinstance(made.emission, str) and (textures.read.colors or len(textures.read.uv) > 1):
             self._left_out.add('what shines has white in place of colours of vertices and of '
                                'second uv maps')
@@ -91,6 +93,20 @@ class Materials:
         shader = self._of(surface, material.name) if graph.source(surface) else \
             Shader(self._shaders.null(material.name), opaque=False)
         return dataclasses.replace(shader, medium=self._media.of(volume, material.name))
+
+    def _filling(self, material):
+        """The Shader of what has no surface: a border that is not seen."""
+        if self._border is None:
+            self._border = self._shaders.null('border of volumes')
+        made = Shader(self._border, opaque=False)
+        if material is None:
+            return dataclasses.replace(made, medium=self._media.of_no_material())
+        output = versions.uses_nodes(material) and \
+            graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
+        if not output:
+            return made
+        volume = graph.Place(output.inputs['Volume'])
+        return dataclasses.replace(made, medium=self._media.of(volume, material.name))
 
     def _matte(self, name, rgb):
         return Shader(self._shaders.named(name, 'matte', [color('Kd', rgb)]))

@@ -1,28 +1,33 @@
-"""Turns Blender's volume shaders into homogeneous volumes of the scene language."""
+"""Media that fill closed meshes and the world, and the named volumes that stand for them."""
 import dataclasses
 
-from . import graph
-from .lxs_text import color
+from .lxs_text import color, parameter
 
 NONE = (0.0, 0.0, 0.0)
 
 
 @dataclasses.dataclass(frozen=True)
 class Medium:
-    """Coefficients per metre, and the mean cosine of Henyey and Greenstein's phase function."""
+    """Coefficients per metre, constants and names of colour textures that add to them, and the mean
+    cosine of Henyey and Greenstein's phase function."""
     absorbs: tuple = NONE
     scatters: tuple = NONE
     cosine: float = 0.0
+    absorbing: tuple = ()
+    scattering: tuple = ()
 
-    def times(self, share):
-        return Medium(_times(self.absorbs, share), _times(self.scatters, share), self.cosine)
+    def is_there(self):
+        return any(self.absorbs + self.absorbing) or self.is_scattering()
+
+    def is_scattering(self):
+        return any(self.scatters + self.scattering)
+
+    def weight(self):
+        """How much it scatters: textures are taken for 1."""
+        return sum(self.scatters) + 3 * len(self.scattering)
 
 
 CLEAR = Medium()
-
-
-def _times(rgb, factor):
-    return tuple(c * factor for c in rgb)
 
 
 def _plus(a, b):
@@ -33,77 +38,10 @@ def both(a, b):
     """The medium where two overlap; of two phase functions it has the mean cosine."""
     if CLEAR in (a, b):
         return b if a == CLEAR else a
-    weights = sum(a.scatters), sum(b.scatters)
-    total = sum(weights)
-    cosine = (weights[0] * a.cosine + weights[1] * b.cosine) / total if total else 0.0
-    return Medium(_plus(a.absorbs, b.absorbs), _plus(a.scatters, b.scatters), cosine)
-
-
-class MediumNodes:
-    """Reads volume shaders as Cycles 3.4 has them, alike all over a volume."""
-
-    def __init__(self, textures, left_out):
-        self._textures = textures
-        self._left_out = left_out
-        self._leaves = {'VOLUME_ABSORPTION': self._absorption, 'VOLUME_SCATTER': self._scatter,
-                        'PRINCIPLED_VOLUME': self._principled, 'ADD_SHADER': self._sum,
-                        'MIX_SHADER': self._mix}
-
-    def of(self, place, name):
-        """The Medium of what feeds a socket Volume; `name` is that of the material or world."""
-        self._left_out.reading = name
-        found = graph.source(place)
-        if found is None:
-            return CLEAR
-        make = self._leaves.get(found.node.type)
-        if make is None:
-            self._left_out.add(f'shaders {found.node.bl_label} of volumes are left out', name)
-            return CLEAR
-        medium = make(found, name)
-        return medium if any(medium.absorbs + medium.scatters) else CLEAR
-
-    def _color(self, found, socket, name):
-        rgb = self._textures.color(found.input(socket))
-        if isinstance(rgb, str):
-            self._left_out.add('textures of volumes are left out', name)
-            rgb = tuple(found.input(socket).socket.default_value[:3])
-        return tuple(max(c, 0.0) for c in rgb)
-
-    def _number(self, found, socket):
-        return self._textures.constant_number(found.input(socket), 'volumes')
-
-    def _absorption(self, found, name):
-        density = max(self._number(found, 'Density'), 0.0)
-        tint = self._color(found, 'Color', name)
-        return Medium(absorbs=tuple(max(1 - c, 0.0) * density for c in tint))
-
-    def _scatter(self, found, name):
-        density = max(self._number(found, 'Density'), 0.0)
-        return Medium(scatters=_times(self._color(found, 'Color', name), density),
-                      cosine=self._number(found, 'Anisotropy'))
-
-    def _principled(self, found, name):
-        if any(self._number(found, light) > 0
-               for light in ('Emission Strength', 'Blackbody Intensity')):
-            self._left_out.add('light of volumes is left out', name)
-        density = max(self._number(found, 'Density'), 0.0)
-        tint = self._color(found, 'Color', name)
-        dims = self._color(found, 'Absorption Color', name)
-        return Medium(tuple(max(1 - c, 0.0) * max(1 - d ** 0.5, 0.0) * density
-                            for c, d in zip(tint, dims)),
-                      _times(tint, density), self._number(found, 'Anisotropy'))
-
-    def _parts(self, found, name):
-        return [self.of(graph.Place(s, found.groups), name) for s in found.node.inputs
-                if s.type == 'SHADER']
-
-    def _sum(self, found, name):
-        return both(*self._parts(found, name))
-
-    def _mix(self, found, name):
-        share = min(max(self._number(found, 'Fac'), 0.0), 1.0)
-        first, second = self._parts(found, name)
-        return both(first.times(1 - share), second.times(share))
+    total = a.weight() + b.weight()
+    cosine = (a.weight() * a.cosine + b.weight() * b.cosine) / total if total else 0.0
+    return Medium(_plus(a.absorbs, b.absorbs), _plus(a.scatters, b.scatters), cosine,
+                  a.absorbing + b.absorbing, a.scattering + b.scattering)
 
 
 class Media:
@@ -112,6 +50,7 @@ class Media:
     def __init__(self, text):
         self._text = text
         self._names = {CLEAR: ''}
+        self._sums = {}
         self.statements = []  # to stand before what uses them
 
     def sides(self, interior, exterior):
@@ -124,8 +63,32 @@ class Media:
         if medium not in self._names:
             name = f'volume {len(self._names)}'
             self._names[medium] = name
+            varies = medium.absorbing or medium.scattering
+            coefficients = [color('sigma_a', self._sum(medium.absorbs, medium.absorbing)),
+                            color('sigma_s', self._sum(medium.scatters, medium.scattering))]
             self.statements.append(self._text.written(
-                'MakeNamedVolume', name, 'homogeneous', parameters=[
-                    color('sigma_a', medium.absorbs), color('sigma_s', medium.scatters),
-                    color('g', (medium.cosine,) * 3)]))
+                'MakeNamedVolume', name, 'heterogeneous' if varies else 'homogeneous',
+                parameters=[*coefficients, color('g', (medium.cosine,) * 3)]))
         return self._names[medium]
+
+    def _sum(self, constant, textures):
+        """Three numbers, or the name of a texture."""
+        if not textures:
+            return constant
+        if len(textures) == 1 and not any(constant):
+            return textures[0]
+        if (constant, textures) not in self._sums:
+            self._sums[constant, textures] = self._written_sum(constant, textures)
+        return self._sums[constant, textures]
+
+    def _written_sum(self, constant, textures):
+        name = self._text.free_name('sum of media')
+        program = ['value ' + ' '.join(f'{c:.6g}' for c in constant)]
+        for number in range(1, len(textures) + 1):
+            program += [f'texture {number}',
+                        f'vector add r{len(program) - 1} r{len(program)} 0 0']
+        self.statements.append(self._text.written(
+            'Texture', name, 'color', 'nodes', parameters=[
+                parameter('string', 'program', program),
+                *(parameter('texture', f'tex{i}', each) for i, each in enumerate(textures, 1))]))
+        return name

@@ -1,7 +1,11 @@
 """Keeps the meshes of an export: each with its materials is written once."""
 import dataclasses
+import os
 
-from . import kept, meshes, strands
+import bpy
+
+from . import kept, meshes, strands, volume_objects
+from .domains import settings_of
 from .images import safe_name
 from .media import CLEAR
 from .object_info import values_of
@@ -27,7 +31,7 @@ class MeshFiles:
     what is slow; `noted`: whether `kept` is told of what changes."""
 
     def __init__(self, folder, materials, left_out, work, kept=None, noted=False):
-        self._folder = folder
+        self.folder = folder
         self._work = work
         self._noted = noted
         self._kept = kept
@@ -40,9 +44,16 @@ class MeshFiles:
         """Key of an object's mesh with its materials, written where it is new; or None. `info` is
         the object's ObjectInfo."""
         slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
-        key = (thing.data.as_pointer(), slots)
+        return self._of_kind((thing.data.as_pointer(), slots), thing, info, self._written)
+
+    def volume(self, thing, info):
+        """Likewise of an object of type volume."""
+        slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
+        return self._of_kind((thing.data.as_pointer(), slots), thing, info, self._box)
+
+    def _of_kind(self, key, thing, info, write):
         if key not in self.known:
-            self.known[key] = self._written(thing, info)
+            self.known[key] = write(thing, info)
             if self.known[key]:
                 self._variants[key] = {self._values(key, info): key}
         if not self.known[key]:
@@ -71,8 +82,18 @@ class MeshFiles:
 
     def _shader(self, thing, slot, info):
         materials = [s.material for s in thing.material_slots] or [None]
-        box = box_of(thing.data) if hasattr(thing.data, 'texspace_size') else None
-        return self._materials.shader(materials[min(slot, len(materials) - 1)], box, info)
+        fills = isinstance(thing.data, bpy.types.Volume)
+        box = box_of(thing.data) if hasattr(thing.data, 'texspace_size') else \
+            volume_objects.box_of(thing) if fills else None
+        return self._materials.shader(materials[min(slot, len(materials) - 1)], box, info, fills)
+
+    def _box(self, thing, info):
+        """The Mesh around a volume, or None where there is nothing in it."""
+        shader = self._shader(thing, 0, info)
+        if shader.medium == CLEAR:
+            return None
+        path = os.path.join(self.folder, f'{len(self.known)}-{safe_name(thing.name)}.ply')
+        return Mesh(thing.name, volume_objects.write_box(thing, path, self._work), {0: shader})
 
     def hair(self, thing, info, system, number, for_render):
         """Key of one of an object's systems of hair; or None."""
@@ -97,7 +118,7 @@ class MeshFiles:
     def _of_tubes(self, thing, info, slot, rows, faces):
         slot = max(min(slot, len(thing.material_slots) - 1), 0)
         shader = self._shader(thing, slot, info)
-        parts = meshes.write_tubes(rows, faces, self._folder,
+        parts = meshes.write_tubes(rows, faces, self.folder,
                                    f'{len(self.known)}-{safe_name(thing.name)}', slot, shader,
                                    self._work)
         return Mesh(thing.name, parts, {slot: dataclasses.replace(shader, medium=CLEAR)})
@@ -119,7 +140,7 @@ class MeshFiles:
         if parts is None:
             return None
         shaders = {slot: shader(slot) for slot in parts.files}
-        if parts.triangles is not None and not self._may_be_filled(thing, parts):
+        if parts.triangles is not None and not self._may_be_filled(thing, parts, info.grids):
             parts.triangles = None
             shaders = {slot: dataclasses.replace(s, medium=CLEAR) for slot, s in shaders.items()}
         return Mesh(thing.name, parts, shaders)
@@ -147,7 +168,7 @@ class MeshFiles:
             self._kept.new() if self._noted and names else kept.content(mesh))
         stem = f'{len(self.known)}-{safe_name(thing.name)}'
         if not content:
-            return meshes.write_parts(mesh, self._folder, stem, shader, tell, self._work)
+            return meshes.write_parts(mesh, self.folder, stem, shader, tell, self._work)
         slots = kept.used_slots(mesh)
         key = self._key_of(content, slots, shader)
         known = self._kept.of(key)
@@ -172,12 +193,12 @@ class MeshFiles:
             self._kept.drop(key)
             raise
 
-    def _may_be_filled(self, thing, parts):
+    def _may_be_filled(self, thing, parts, grids):
         """Whether the volume of a mesh's material can be carried over."""
         if not parts.closed:
             self._left_out.add('volumes of meshes that are not closed are left out', thing.name)
             return False
-        if any(m.type == 'FLUID' and m.fluid_type == 'DOMAIN' for m in thing.modifiers):
-            self._left_out.add('smoke and fire are left out', thing.name)
+        if grids is None and settings_of(thing):
+            self._left_out.add('smoke that is not in files of its cache is left out', thing.name)
             return False
         return True

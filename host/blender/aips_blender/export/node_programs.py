@@ -144,7 +144,7 @@ class Program:
         """0 to 1 across the mesh's box."""
         self._textures.read.generated = True
         box = self._textures.box
-        local = self.emit('local')
+        local = self.local()
         if box is None:
             return local
         least, size = box
@@ -152,14 +152,22 @@ class Program:
                 for i, (at, s) in enumerate(zip(least, size))]
         return self.affine(local, rows)
 
+    def local(self):
+        """The point in the object's space."""
+        return self.emit('local')
+
     def affine(self, operand, rows):
-        return self.emit('affine', operand, *(text(x) for row in rows for x in list(row)[:4]))
+        return self.emit('affine', operand, *(text(x) for row in list(rows)[:3] for x in row))
 
     def uv(self, name):
         return self.emit(('uv', 'color')[self._textures.coordinates.place_of(name)])
 
     def vertex_color(self, name):
         return self.emit('color') if self._textures.reads_color(name) else '1'
+
+    def grid(self, _name):
+        """Of a volume's grid; None where there is none, as on surfaces."""
+        return None
 
     def image(self, found):
         """Of node Image Texture; its colours as they are."""
@@ -212,7 +220,7 @@ def _coordinates(program, found):
     if name == 'Object':
         other = found.node.object
         if other is None:
-            return program.emit('local')
+            return program.local()
         return program.affine(program.emit('position'), other.matrix_world.inverted_safe())
     if name != 'Generated':
         program.tell(f'texture coordinates {name} are replaced by generated ones')
@@ -252,6 +260,10 @@ def _object_info(program, found):
     if found.output.name == 'Material Index':
         return text(program.material_index)
     return program.of_object(found.output.name)
+
+
+def _volume_info(program, found):
+    return program.grid(found.output.name.lower()) or '0'
 
 
 def turned(angles):
@@ -542,6 +554,7 @@ NODES = {
     'TEX_IMAGE': Program.image, 'TEX_COORD': _coordinates, 'NEW_GEOMETRY': _geometry,
     'UVMAP': lambda program, found: program.uv(found.node.uv_map),
     'ATTRIBUTE': _attribute, 'VERTEX_COLOR': _attribute, 'OBJECT_INFO': _object_info,
+    'VOLUME_INFO': _volume_info,
     'FRESNEL': Program.mean_by_angle, 'LAYER_WEIGHT': Program.mean_by_angle,
     'RGB': lambda program, found: program.value(*found.output.default_value[:3]),
     'VALUE': lambda program, found: text(found.output.default_value),

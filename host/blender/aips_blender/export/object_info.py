@@ -5,22 +5,27 @@ WORD = 0xffffffff
 
 
 class ObjectInfo:
-    """Of an instance of the dependency graph, whose object is not kept. `names`, of the object and
+    """Of an instance of the dependency graph, whose object is not kept. `matrix` is where it is
+    placed; `grids` are the Grids within it, or None. `names`, of the object and
     its data, are those by which changes of its shape are told; None where there are none."""
 
-    def __init__(self, instance):
+    def __init__(self, instance, matrix, grids=None):
         thing = instance.object
         number = instance.random_id & WORD if instance.is_instance else hashed(thing.name)
         self._thing = thing.original
         # Instances that nodes make may share their names with others.
         self.names = None if instance.is_instance else (thing.original.name_full,
                                                         thing.data.name_full if thing.data else '')
-        self._known = {'Object Index': (float(thing.pass_index),), 'Random': (number / WORD,),
+        self.grids = grids
+        size = _size(matrix) if grids and grids.by_size else 1.0
+        self._known = {'Matrix': tuple(map(tuple, matrix)), 'Grids': (grids,),
+                       'Size of Density': (size,),
+                       'Object Index': (float(thing.pass_index),), 'Random': (number / WORD,),
                        'Color': tuple(thing.color)[:3], 'Alpha': (thing.color[3],),
                        'Location': tuple(instance.matrix_world.translation)}
 
     def value(self, name):
-        """One number or three: an output of node Object Info, or after a dot an attribute."""
+        """One number or three, mostly: an output of node Object Info, or after a dot an attribute."""
         return self._known[name] if name in self._known else self._attribute(name[1:])
 
     def _attribute(self, name):
@@ -33,6 +38,11 @@ class ObjectInfo:
             if numbers and all(isinstance(n, (int, float)) for n in numbers):
                 return tuple(map(float, numbers))
         return (0.0, 0.0, 0.0)
+
+
+def _size(matrix):
+    """What Cycles divides a volume's density by: how long the diagonal of a cube becomes."""
+    return sum(sum(row[:3]) ** 2 / 3 for row in matrix[:3]) ** 0.5 or 1.0
 
 
 def values_of(info, names):

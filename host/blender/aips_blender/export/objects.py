@@ -1,7 +1,7 @@
 """Tells what of Blender's objects, beside their shapes and materials, is not carried over."""
 from . import versions
 
-GEOMETRY = {'MESH', 'CURVE', 'CURVES', 'SURFACE', 'FONT', 'META'}
+GEOMETRY = {'MESH', 'CURVE', 'CURVES', 'SURFACE', 'FONT', 'META', 'VOLUME'}
 # Modifiers that mostly change a mesh from frame to frame.
 DEFORMS = {'ARMATURE', 'CLOTH', 'HOOK', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN', 'SOFT_BODY',
            'WAVE'}

@@ -11,6 +11,8 @@ import bpy
 
 from ..reasons import Told
 from . import camera, versions
+from .domains import of_domain, settings_of
+from .grids import of_volume
 from .images import Images
 from .left_out import LeftOut
 from .lights import Lights
@@ -140,6 +142,8 @@ class _SceneExport:
         self._meshes = MeshFiles(folder, Materials(
             self._text, self._textures, self.left_out, layer.material_override),
             self.left_out, work, kept, noted)
+        self._with_volumes = layer.use_volumes
+        self._grids = {}  # Grids by the data of objects
         self._placed, self._lamps = [], []
         self._camera = None
 
@@ -152,7 +156,7 @@ class _SceneExport:
             if len(self._meshes.known) > begun and time.monotonic() > until:
                 return False
             matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
-            info = ObjectInfo(instance)
+            info = ObjectInfo(instance, matrices[0], self._grids_of(instance.object))
             if instance.show_self:
                 self._collect_instance(instance, info, matrices, motion.blurs)
             if instance.show_particles:
@@ -169,6 +173,9 @@ class _SceneExport:
         # Curves, texts and metaballs come as themselves too, beside an instance of their mesh.
         if isinstance(thing.data, bpy.types.Mesh):
             self._place(thing, info, self._meshes.of, matrices)
+        elif isinstance(thing.data, bpy.types.Volume):
+            if info.grids:
+                self._place(thing, info, self._meshes.volume, matrices)
         elif thing.type == 'CURVES':
             self._place(thing, info, self._meshes.curves, matrices)
         elif thing.type == 'LIGHT':
@@ -177,6 +184,21 @@ class _SceneExport:
             # The evaluated light goes with the instance; names lead back to it.
             self._lamps.append((thing.name, thing.data, matrices[0], thing.visible_camera,
                                 thing.original.lightgroup))
+
+    def _grids_of(self, thing):
+        """The Grids in an object, or None; each file is looked for once."""
+        is_volume = isinstance(thing.data, bpy.types.Volume)
+        domain = None if is_volume else settings_of(thing)
+        if not is_volume and not domain or not self._with_volumes:
+            return None
+        key = thing.data.as_pointer()
+        if key not in self._grids:
+            self._grids[key] = of_volume(thing, self._folder, len(self._grids)) if is_volume else \
+                of_domain(thing, domain, bpy.path.abspath(domain.cache_directory),
+                          self._depsgraph.scene.frame_current)
+            if is_volume and self._grids[key] is None:
+                self.left_out.add('volumes whose files cannot be read are left out', thing.name)
+        return self._grids[key]
 
     def _collect_hair(self, thing, info, matrices):
         for number, system in enumerate(thing.particle_systems):

@@ -53,7 +53,7 @@ class Spaces:
         self._spaces.append(space)
 
     def scatter(self):
-        return any(any(m.scatters) for m in [self.world] + [s.medium for s in self._spaces])
+        return any(m.is_scattering() for m in [self.world] + [s.medium for s in self._spaces])
 
     def at(self, point):
         """The medium at a point."""

@@ -10,6 +10,7 @@ from . import angles, graph
 from .blackbody import blackbody
 from .colours import surface_color
 from .coordinates import Coordinates, uv_parameters
+from .grids import GridTextures
 from .layers import Read
 from .lxs_text import color as color_as_written, factor, parameter
 from .node_programs import Program, TooLong
@@ -36,6 +37,7 @@ class Textures:
         self._left_out = left_out
         self.read = Read()
         self.coordinates = Coordinates(self.read, left_out)
+        self.grids = GridTextures(text)
         self._known = {}
         self.box = None  # least corner and size of the mesh whose generated coordinates are meant
         self.material_index = 0
@@ -136,6 +138,11 @@ class Textures:
         except TooLong:
             self._left_out.add('graphs of too many nodes are replaced by grey')
             return GREY
+        return self.of_program(program, last, kind)
+
+    def of_program(self, program, last, kind):
+        """The value of an operand of a program, which it ends with; `kind`: float, color, or plain
+        for colours that are no surface's."""
         if not last.startswith('r'):
             return float(last)
         if last != f'r{len(program.lines) - 1}':
@@ -143,8 +150,9 @@ class Textures:
                                  f'vector add {last} 0 0 0')
         constant = program.constant()
         if constant is not None:
-            return constant if kind == 'color' else constant[0]
-        return self._texture('nodes', kind, 'nodes', program.parameters(kind))
+            return constant[0] if kind == 'float' else constant
+        return self._texture('nodes', 'float' if kind == 'float' else 'color', 'nodes',
+                             program.parameters(kind))
 
     def plain(self, found):
         """The colour texture of a node Image Texture, its colours as they are."""

@@ -5,7 +5,8 @@ from . import graph, versions
 from .colours import light_color
 from .lights import hidden
 from .lxs_text import color, factor, parameter
-from .media import CLEAR, MediumNodes
+from .media import CLEAR
+from .volume_shaders import MediumNodes
 
 KINDS_OF_RAYS = ('diffuse', 'glossy', 'transmission', 'scatter')
 SRGB_GAMMA = 2.2  # of the scene language, which has no sRGB curve for lights

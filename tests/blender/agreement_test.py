@@ -4,6 +4,7 @@ Means over blocks of 16 x 16 pixels differ by less than 2 %, unless a case says 
 of both images is within that. docs/start/blender.md has the table.
 """
 import math
+import os
 import unittest
 
 import bpy
@@ -11,6 +12,7 @@ import numpy as np
 
 import small_scenes as scenes
 from cycles_agreement import differences
+from fixture import FOLDER
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
 BLENDER_3 = bpy.app.version < (4, 0)
@@ -285,6 +287,18 @@ class Volumes(Agreement):
         cloud = scenes.cloudy_volume('cloud', density=4)
         scenes.box('cloud', 1.6, cloud, (0.8, -0.2, 0.8), (0, 0, 0.4)).scale = (1, 0.8, 0.9)
         self.agrees('cloud', scene, FOG, 'path')
+
+    def test_smoke_of_a_file(self):
+        """Of a coarse grid, where half a voxel would be seen, on an object that is turned and large:
+        it has as much smoke as in its own space."""
+        scene = scenes.lit_stage()
+        smoke = scenes.volume_of_file(scenes.vdb_of_a_ball(os.path.join(FOLDER, 'ball.vdb')))
+        smoke.data.materials.append(scenes.volume(
+            'smoke', 'ShaderNodeVolumePrincipled', Density=5, Color=(0.8, 0.6, 0.4, 1),
+            Anisotropy=0.3))
+        smoke.location, smoke.rotation_euler = (0.8, -0.1, 0.9), (0.3, 0.2, 0.4)
+        smoke.scale = (1.5, 1.5, 1.5)
+        self.agrees('smoke', scene, FOG, 'path')
 
     def test_tinted_glass(self):
         scene = scenes.lit_stage()

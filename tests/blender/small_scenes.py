@@ -91,6 +91,26 @@ def boxes_of_a_collection(name, *places):
     instances([box(name, 1, grey(), (0, 0, 0))], *places)
 
 
+def vdb_of_a_ball(path):
+    """Writes an OpenVDB file of a ball of density 1 and radius 0.5, thinner at its rim, by Blender's
+    own modifier; a coarse grid."""
+    source = ball('source', 0.5, grey(), (0, 0, 0))
+    fog = add('fog', bpy.data.volumes.new('fog'))
+    made = fog.modifiers.new('made', 'MESH_TO_VOLUME')
+    made.object, made.density, made.interior_band_width = source, 1, 0.25
+    made.resolution_mode, made.voxel_size = 'VOXEL_SIZE', 0.1
+    fog.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.grids.save(path)
+    for each in (source, fog):
+        bpy.data.objects.remove(each)
+    return path
+
+
+def volume_of_file(path):
+    data = bpy.data.volumes.new('smoke')
+    data.filepath = path
+    return add('smoke', data)
+
+
 def _named(name, made):
     thing = bpy.context.object
     thing.name = name

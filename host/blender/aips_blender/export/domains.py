@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 
-from .grids import MIDDLE, Grid, Grids
+from .grids import MIDDLE, Grid, Grids, bounds
 from .lxs_text import fits_string
 
 # Folder, beginning of the file's name, and ending of the grids' names: with details by noise first.
@@ -38,8 +38,8 @@ def of_domain(thing, settings, folder, frame):
     if found is None:
         return None
     path, ending = found
-    corners = np.array([tuple(corner) for corner in thing.bound_box])
-    least, size = corners.min(axis=0), np.ptp(corners, axis=0)
+    least, most = bounds(thing)
+    size = most - least
     cells = np.array(tuple(settings.domain_resolution), float)
     length = (size * np.array(tuple(thing.matrix_world.to_scale()))).max()
     if not (cells > 0).all() or not length > 0:

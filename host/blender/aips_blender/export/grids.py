@@ -56,11 +56,20 @@ def _middle(grid):
     return tuple(MIDDLE * voxel[:3, :3].sum(axis=1))
 
 
-def margin(grids):
-    """How far values reach beyond the box of a volume's grids: to the voxels around, which may be
-    stored, and as far again by interpolation."""
-    voxels = [np.abs(np.array(grid.matrix_object, float)[:3, :3]).sum(axis=1) for grid in grids]
-    return 2 * np.max(voxels, axis=0)
+def reach(thing):
+    """Least and greatest place where a volume may have values: Blender's box, which ends at the
+    indices of voxels, moved to their middles, and a voxel on by interpolation."""
+    voxels = [np.abs(np.array(grid.matrix_object, float)[:3, :3]).sum(axis=1)
+              for grid in thing.data.grids]
+    voxel = np.max(voxels, axis=0)
+    least, most = bounds(thing)
+    return least - (1 - MIDDLE) * voxel, most + (1 + MIDDLE) * voxel
+
+
+def bounds(thing):
+    """Least and greatest corner of an object's box in its own space."""
+    corners = np.array([tuple(corner) for corner in thing.bound_box])
+    return corners.min(axis=0), corners.max(axis=0)
 
 
 class GridTextures:

@@ -5,7 +5,7 @@ within each mesh of such a material, and these overlap.
 """
 import numpy as np
 
-from .media import both
+from .media import CLEAR, both
 
 DIRECTION = np.array([0.4117, 0.2339, 0.8808])  # along no edge or face that is likely
 LEAST_OVERLAP = 1e-5  # of the extent, below which boxes only touch
@@ -64,16 +64,17 @@ class Spaces:
         if not self._spaces:
             return self.world
         corners = transformed(corners_of(bounds), np.array(placed.matrices[0], float))
-        box, holding = box_of(corners), []
-        for space in self._spaces:
-            if space.placed is placed:
-                continue
-            if space.holds(corners).all():
-                holding.append(space)
-            elif _overlap(space.box, box) and not _within_box(space.box, box):
-                self._left_out.add('what lies partly in a volume is taken to lie outside',
-                                   placed.name)
-        return self._within(holding)
+        box = box_of(corners)
+        others = [space for space in self._spaces if space.placed is not placed]
+        holding = [space for space in others if space.holds(corners).all()]
+        found = self._within(holding)
+        # Where nothing is declared of a surface, rays stay in what they are in.
+        is_declared = found != CLEAR or len(others) < len(self._spaces)
+        if is_declared and any(_overlap(space.box, box) and not _within_box(space.box, box)
+                               for space in others if space not in holding):
+            self._left_out.add('what lies partly in a volume is taken to lie outside',
+                               placed.name)
+        return found
 
     def _within(self, spaces):
         found = self.world

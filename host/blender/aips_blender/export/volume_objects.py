@@ -2,7 +2,7 @@
 import numpy as np
 
 from . import ply
-from .grids import margin
+from .grids import bounds, reach
 from .meshes import MeshParts
 
 FACES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
@@ -10,18 +10,14 @@ FACES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (
 
 def box_of(thing):
     """Least corner and size of the box of a volume's grids, by which generated coordinates go."""
-    corners = np.array([tuple(corner) for corner in thing.bound_box])
-    least, size = corners.min(axis=0), np.ptp(corners, axis=0)
-    return tuple(map(float, least)), tuple(float(s) or 1.0 for s in size)
+    least, most = bounds(thing)
+    return tuple(map(float, least)), tuple(float(s) or 1.0 for s in most - least)
 
 
 def write_box(thing, path, work):
     """The MeshParts of an object's box, with all that its grids reach."""
-    corners = np.array([tuple(corner) for corner in thing.bound_box])
-    beyond = margin(thing.data.grids)
-    least, most = corners.min(axis=0) - beyond, corners.max(axis=0) + beyond
-    ends = np.array([least, most])
-    points = np.array([ends[[x, y, z], range(3)] for z in (0, 1) for y in (0, 1) for x in (0, 1)])
+    least, most = ends = np.array(reach(thing))
+    points = np.array([ends[(x, y, z), (0, 1, 2)] for z in (0, 1) for y in (0, 1) for x in (0, 1)])
     triangles = np.array([[f[i] for i in at] for f in FACES for at in ((0, 1, 2), (0, 2, 3))])
     work(_write, path, points, triangles)
     return MeshParts((least, most), True, {0: path}, triangles=points[triangles])

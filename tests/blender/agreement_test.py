@@ -282,10 +282,12 @@ class Volumes(Agreement):
         self.agrees('volumes', scene, FOG, 'path')
 
     def test_cloud_by_nodes(self):
-        """Of a density by noise in object coordinates, and a colour that changes with height."""
+        """Of a density by noise in object coordinates, and a colour that changes with height; sunk
+        into the floor, with a ball that lies half in it."""
         scene = scenes.lit_stage()
         cloud = scenes.cloudy_volume('cloud', density=4)
-        scenes.box('cloud', 1.6, cloud, (0.8, -0.2, 0.8), (0, 0, 0.4)).scale = (1, 0.8, 0.9)
+        scenes.box('cloud', 1.6, cloud, (0.8, -0.2, 0.6), (0, 0, 0.4)).scale = (1, 0.8, 0.9)
+        scenes.ball('half', 0.3, scenes.grey(), (0.4, -0.9, 0.3))
         self.agrees('cloud', scene, FOG, 'path')
 
     def test_smoke_of_a_file(self):

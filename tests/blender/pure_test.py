@@ -166,6 +166,7 @@ class Masks(unittest.TestCase):
 TETRAHEDRON = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]], float)
 FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
 FOG = Medium((0.1, 0.2, 0.3), (0.4, 0.5, 0.6), 0.5)
+HAZE = Medium(scatters=(0.1, 0.1, 0.1))
 
 
 def moved(x, y, z):
@@ -181,8 +182,12 @@ class InVolumes(unittest.TestCase):
         self.spaces.add(Space(self.fog, FOG, corners, moved(5, 0, 0)))
 
     def small(self, *place):
-        return self.spaces.around(Placed('small', None, (moved(*place),)),
-                                  (np.zeros(3), np.full(3, 0.2)))
+        return self.around_small(self.spaces, place)
+
+    @staticmethod
+    def around_small(spaces, place):
+        return spaces.around(Placed('small', None, (moved(*place),)),
+                             (np.zeros(3), np.full(3, 0.2)))
 
     def test_points_within_a_mesh(self):
         inside = [(5.3, 0.3, 0.3), (5.1, 0.1, 1.7)]
@@ -195,7 +200,12 @@ class InVolumes(unittest.TestCase):
         self.assertEqual(self.small(5, 0, 0), FOG)  # touches the border from within
         self.assertEqual(self.small(8, 0, 0), CLEAR)
         self.assertEqual(self.left_out.lines(), [])
-        self.assertEqual(self.small(4.9, 0.2, 0.2), CLEAR)
+        partly = (4.9, 0.2, 0.2)
+        self.assertEqual(self.small(*partly), CLEAR)
+        self.assertEqual(self.left_out.lines(), [])  # nothing is declared: rays stay in the fog
+        haze = Spaces(HAZE, self.left_out)
+        haze.add(Space(self.fog, FOG, TETRAHEDRON[np.array(FACES)], moved(5, 0, 0)))
+        self.assertEqual(self.around_small(haze, partly), HAZE)
         self.assertEqual(self.left_out.lines(),
                          ['what lies partly in a volume is taken to lie outside: small'])
 

@@ -1,9 +1,12 @@
-"""The value of a program of texture "nodes" that is the same everywhere, as far as it is known."""
+"""What of a program of texture "nodes" is the same everywhere, as far as that is known."""
 import math
+import re
 
 import numpy as np
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])  # Rec. 709
+
+OPERAND = re.compile(r'r\d+')  # the value of a line
 
 
 def _divided(a, b):
@@ -75,11 +78,44 @@ def _once(words, values):
     return None
 
 
-def folded(lines):
-    """Three numbers, or None."""
+def _operands(line):
+    """Numbers of the lines that a line reads."""
+    return [int(word[1:]) for word in line.split() if OPERAND.fullmatch(word)]
+
+
+def _values(lines):
+    """Of each line three numbers, or None."""
     values = []
     for line in lines:
-        values.append(_once(line.split(), values))
-        if values[-1] is None:
-            return None
-    return tuple(float(x) for x in values[-1])
+        known = all(values[i] is not None for i in _operands(line))
+        values.append(_once(line.split(), values) if known else None)
+    return values
+
+
+def folded(lines):
+    """Three numbers, or None."""
+    value = _values(lines)[-1]
+    return None if value is None else tuple(float(x) for x in value)
+
+
+def shortened(lines):
+    """The same program without what does not change, or is not read: a texture is looked up often."""
+    values, short, names = _values(lines), [], {}
+
+    def add(line):
+        short.append(line)
+        return f'r{len(short) - 1}'
+
+    def name(i):
+        if i not in names:
+            names[i] = constant(values[i]) if values[i] is not None else add(' '.join(
+                name(int(word[1:])) if OPERAND.fullmatch(word) else word
+                for word in lines[i].split()))
+        return names[i]
+
+    def constant(value):
+        numbers = [f'{x:.6g}' for x in value]
+        return numbers[0] if len(set(numbers)) == 1 else add(' '.join(['value', *numbers]))
+
+    name(len(lines) - 1)
+    return short

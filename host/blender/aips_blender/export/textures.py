@@ -10,6 +10,7 @@ from . import angles, graph
 from .blackbody import blackbody
 from .colours import surface_color
 from .coordinates import Coordinates, uv_parameters
+from .folded import shortened
 from .grids import GridTextures
 from .layers import Read
 from .lxs_text import color as color_as_written, factor, parameter
@@ -151,6 +152,7 @@ class Textures:
         constant = program.constant()
         if constant is not None:
             return constant[0] if kind == 'float' else constant
+        program.lines = shortened(program.lines)
         return self._texture('nodes', 'float' if kind == 'float' else 'color', 'nodes',
                              program.parameters(kind))
 

@@ -88,8 +88,16 @@ def _values(lines):
     values = []
     for line in lines:
         known = all(values[i] is not None for i in _operands(line))
-        values.append(_once(line.split(), values) if known else None)
+        values.append(_once(line.split(), values) if known else _nothing(line.split(), values))
     return values
+
+
+def _nothing(words, values):
+    """Nothing where a line multiplies by nothing, or None."""
+    if words[:2] != ['vector', 'multiply']:
+        return None
+    factors = [values[int(w[1:])] if OPERAND.fullmatch(w) else float(w) for w in words[2:4]]
+    return np.zeros(3) if any(f is not None and not np.any(f) for f in factors) else None
 
 
 def folded(lines):

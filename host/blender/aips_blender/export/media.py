@@ -41,7 +41,8 @@ def both(a, b):
     total = a.weight() + b.weight()
     cosine = (a.weight() * a.cosine + b.weight() * b.cosine) / total if total else 0.0
     return Medium(_plus(a.absorbs, b.absorbs), _plus(a.scatters, b.scatters), cosine,
-                  a.absorbing + b.absorbing, a.scattering + b.scattering)
+                  tuple(sorted(a.absorbing + b.absorbing)),
+                  tuple(sorted(a.scattering + b.scattering)))
 
 
 class Media:

@@ -291,8 +291,8 @@ class Volumes(Agreement):
         self.agrees('cloud', scene, FOG, 'path')
 
     def test_smoke_of_a_file(self):
-        """Of a coarse grid, where half a voxel would be seen, on an object that is turned and large:
-        it has as much smoke as in its own space."""
+        """Of a coarse grid, where half a voxel would be seen, on an object that is turned, and
+        large: it has as much smoke as in its own space."""
         scene = scenes.lit_stage()
         smoke = scenes.volume_of_file(scenes.vdb_of_a_ball(os.path.join(FOLDER, 'ball.vdb')))
         smoke.data.materials.append(scenes.volume(

@@ -143,7 +143,7 @@ class Varying(unittest.TestCase):
         self.assertEqual(left_out, [])
         self.assertIn(['value 0.25 0.25 0.25', 'texture 1', 'vector add r0 r1 0 0'],
                       programs(text))
-        self.assertRegex(text, r'"texture sigma_a" \["nodes"\] "texture sigma_s" \["sum of media"\]')
+        self.assertIn('"texture sigma_a" ["nodes"] "texture sigma_s" ["sum of media"]', text)
 
     def test_mixes_by_textures(self):
         scenes.stage()
@@ -183,9 +183,9 @@ class Files(unittest.TestCase):
 
     def grids(self, text):
         """Of each grid that is read its file, its name and the place of its origin."""
-        found = re.findall(r'ConcatTransform \[([^]]*)\]\nTexture ".*?" "(float|color)" "densitygrid" '
-                           r'"string filename" \["(.*?)"\] "string gridname" \["(.*?)"\]\n'
-                           r'TransformEnd', text)
+        found = re.findall(r'ConcatTransform \[([^]]*)\]\nTexture ".*?" "(float|color)" '
+                           r'"densitygrid" "string filename" \["(.*?)"\] '
+                           r'"string gridname" \["(.*?)"\]\nTransformEnd', text)
         return [(kind, path, name, np.array(matrix.split(), float).reshape(4, 4).T)
                 for matrix, kind, path, name in found]
 
@@ -276,9 +276,10 @@ class Domains(unittest.TestCase):
                             'data/fluid_data_0004.vdb')
         found = [cached(folder, frame, by_noise) for frame, by_noise in
                  ((3, True), (3, False), (4, True), (5, False))]
-        data, noise = (os.path.join(folder, part) for part in ('data/fluid_data_', 'noise/fluid_noise_'))
-        self.assertEqual(found, [(noise + '0003.vdb', '_noise'), (data + '0003.vdb', ''),
-                                 (data + '0004.vdb', ''), None])
+        self.assertEqual([each and (os.path.relpath(each[0], folder), each[1]) for each in found],
+                         [('noise/fluid_noise_0003.vdb', '_noise'),
+                          ('data/fluid_data_0003.vdb', ''),
+                          ('data/fluid_data_0004.vdb', ''), None])
 
     def test_a_domain_is_filled_by_its_grid(self):
         scenes.clear()
@@ -291,6 +292,7 @@ class Domains(unittest.TestCase):
         grids = of_domain(box, settings, folder, 1)
         self.assertEqual([name for name, _ in grids.by_name], ['density'])
         self.assertEqual(grids.named('density').name, 'density_noise')
+        self.assertIn('color', grids.lacking)
         to_object = np.array(grids.to_object)
         # The file is as large as the domain in the world, from 0 on; cells are 1 / 8 wide.
         np.testing.assert_allclose(to_object @ (0, 0, 0, 1), (-1, -1, -1, 1))

@@ -42,8 +42,8 @@ class Nodes(unittest.TestCase):
             self.tree.links.new(output, made.inputs[key])
         return made
 
-    def noise(self, **inputs):
-        return self.node('ShaderNodeTexNoise', **{'Scale': 3.0, 'Detail': 1.0, **inputs})
+    def noise(self, links=(), **inputs):
+        return self.node('ShaderNodeTexNoise', links, **{'Scale': 3.0, 'Detail': 1.0, **inputs})
 
     def agrees(self, output, *left_out, within=WITHIN):
         """The image of an output as colour."""
@@ -105,6 +105,12 @@ class Nodes(unittest.TestCase):
             'Vector': self.node('ShaderNodeTexCoord').outputs['Object']},
             Location=(0.3, 0.2, 0.1), Rotation=(0.3, 0.5, 0.7), Scale=(1, 2, 0.5))
         self.agrees(self.node('ShaderNodeTexNoise', {'Vector': mapping.outputs[0]}).outputs['Fac'])
+
+    def test_coordinates_of_another_object(self):
+        other = scenes.add('other', None, (0.3, 0.2, 0.5), (0.4, 0.3, 0.2))
+        other.scale = (1, 2, 1)
+        place = self.node('ShaderNodeTexCoord', settings={'object': other}).outputs['Object']
+        self.agrees(self.noise(links={'Vector': place}).outputs['Color'])
 
     def test_voronoi(self):
         self.agrees(self.node('ShaderNodeTexVoronoi', Scale=4.0).outputs['Distance'])

@@ -92,8 +92,8 @@ def boxes_of_a_collection(name, *places):
 
 
 def vdb_of_a_ball(path):
-    """Writes an OpenVDB file of a ball of density 1 and radius 0.5, thinner at its rim, by Blender's
-    own modifier; a coarse grid."""
+    """Writes an OpenVDB file by Blender's modifier: a coarse grid of a ball of density 1 and radius
+    0.5, thinner at its rim."""
     source = ball('source', 0.5, grey(), (0, 0, 0))
     fog = add('fog', bpy.data.volumes.new('fog'))
     made = fog.modifiers.new('made', 'MESH_TO_VOLUME')

@@ -12,6 +12,7 @@ from .lxs_text import fits_string
 # Folder, beginning of the file's name, and ending of the grids' names: with details by noise first.
 CACHES = (('noise', 'fluid_noise', '_noise'), ('data', 'fluid_data', ''))
 NAMES = ('density', 'flame')
+LACKING = ('color', 'heat', 'temperature', 'velocity')  # parts, or numbers of another range
 
 
 def settings_of(thing):
@@ -51,4 +52,4 @@ def of_domain(thing, settings, folder, frame):
     burns = len(getattr(settings, 'flame_grid', ())) > 0
     names = NAMES if burns else NAMES[:1]
     return Grids(path, tuple((name, Grid(name + ending, False, (middle,) * 3)) for name in names),
-                 tuple(map(tuple, to_object)))
+                 tuple(map(tuple, to_object)), LACKING)

@@ -107,7 +107,7 @@ def folded(lines):
 
 
 def shortened(lines):
-    """The same program without what does not change, or is not read: a texture is looked up often."""
+    """The same program without what does not change or is not read."""
     values, short, names = _values(lines), [], {}
 
     def add(line):

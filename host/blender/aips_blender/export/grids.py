@@ -29,6 +29,7 @@ class Grids:
     path: str
     by_name: tuple                # pairs of a name by which nodes ask, and a Grid
     to_object: tuple = tuple(map(tuple, np.eye(4)))
+    lacking: tuple = ()           # names of grids that Blender has, and the file has otherwise
     by_size: bool = False         # whether density is for each length in the object's space
 
     def named(self, name):

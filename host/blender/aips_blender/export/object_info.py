@@ -25,7 +25,7 @@ class ObjectInfo:
                        'Location': tuple(instance.matrix_world.translation)}
 
     def value(self, name):
-        """One number or three, mostly: an output of node Object Info, or after a dot an attribute."""
+        """An output of node Object Info, or after a dot an attribute: one number or three."""
         return self._known[name] if name in self._known else self._attribute(name[1:])
 
     def _attribute(self, name):

@@ -20,6 +20,8 @@ class VolumeProgram(Program):
     def grid(self, name):
         grids = (self._textures.of_object('Grids') or (None,))[0]
         grid = grids and grids.named(name)
+        if grids and name in grids.lacking:
+            self.tell(f'grids {name} of smoke domains are left out')
         if not grid:
             return None
         matrix = self._textures.of_object('Matrix')

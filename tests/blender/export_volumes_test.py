@@ -171,6 +171,20 @@ class Varying(unittest.TestCase):
             'light of volumes is left out: fog',
             'textures of anisotropies of volumes are left out: fog'])
 
+    def test_other_phase_functions_are_told(self):
+        scenes.stage()
+        fog = scenes.volume('fog', 'ShaderNodeVolumeScatter', Anisotropy=0.5)
+        node = fog.node_tree.nodes['Volume Scatter']
+        scenes.box('fog', 1, fog, (1, 0, 1))
+        self.assertIn('"color g" [0.5 0.5 0.5]', exported('even')[0])
+        if not hasattr(node, 'phase'):
+            self.skipTest('this Blender has one phase function')
+        node.phase = 'RAYLEIGH'
+        text, left_out = exported('rayleigh')
+        self.assertIn('"color g" [0 0 0]', text)
+        self.assertEqual(left_out, [
+            "phase functions but Henyey and Greenstein's are taken for even: fog"])
+
 
 class Files(unittest.TestCase):
     def setUp(self):

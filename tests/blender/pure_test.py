@@ -12,6 +12,7 @@ from aips_blender import command, exr, murmur, passes, process, reasons, status
 from aips_blender.export import colours, lights, ply, versions
 from aips_blender.export.camera import View, window_of
 from aips_blender.export.film import Film
+from aips_blender.export.folded import folded, shortened
 from aips_blender.export.left_out import LeftOut
 from aips_blender.export.lxs_text import LxsText, parameter
 from aips_blender.export.media import CLEAR, Medium, both
@@ -219,6 +220,20 @@ class InVolumes(unittest.TestCase):
         np.testing.assert_allclose(twice.absorbs, (0.2, 0.2, 0.3))
         np.testing.assert_allclose(twice.scatters, (0.8, 1, 1.2))
         self.assertAlmostEqual(twice.cosine, 0.2)
+
+
+class Programs(unittest.TestCase):
+    def test_constants_are_worked_out_and_what_is_not_read_goes(self):
+        program = ['value 1 2 3', 'math add 2 1 0', 'vector multiply r0 r1 0 0', 'uv', 'position',
+                   'vector multiply r4 r2 0 0', 'value 0 0 0', 'vector multiply r4 r6 0 0',
+                   'mix mix r1 r5 r7']
+        self.assertIsNone(folded(program))
+        self.assertEqual(shortened(program), ['position', 'value 3 6 9',
+                                              'vector multiply r0 r1 0 0', 'mix mix 3 r2 0'])
+        self.assertEqual(folded(program[:3]), (3, 6, 9))
+
+    def test_what_is_too_great_is_left_to_lxsrender(self):
+        self.assertIsNone(folded(['math power 1e30 20 0']))
 
 
 class Status(unittest.TestCase):

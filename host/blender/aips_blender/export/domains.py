@@ -27,7 +27,7 @@ def settings_of(thing):
 def cached(folder, frame, by_noise):
     """Path of the file of a frame, and the ending of its grids' names; None where there is none."""
     for part, begin, ending in CACHES[0 if by_noise else 1:]:
-        path = os.path.join(folder, part, f'{begin}_{frame:04d}.vdb')
+        path = '/'.join([folder.replace(os.sep, '/'), part, f'{begin}_{frame:04d}.vdb'])
         if os.path.isfile(path) and fits_string(path):
             return path, ending
     return None

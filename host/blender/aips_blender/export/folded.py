@@ -5,7 +5,6 @@ import re
 import numpy as np
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])  # Rec. 709
-
 OPERAND = re.compile(r'r\d+')  # the value of a line
 
 
@@ -88,7 +87,12 @@ def _values(lines):
     values = []
     for line in lines:
         known = all(values[i] is not None for i in _operands(line))
-        values.append(_once(line.split(), values) if known else _nothing(line.split(), values))
+        try:
+            value = (_once if known else _nothing)(line.split(), values)
+        except OverflowError:
+            value = None
+        # As in lxsrender, what is not finite is 0.
+        values.append(value if value is None else np.where(np.isfinite(value), value, 0.0))
     return values
 
 

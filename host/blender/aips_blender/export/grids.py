@@ -41,7 +41,7 @@ def of_volume(thing, folder, number):
     grids = thing.data.grids
     if not grids.load() or not len(grids):
         return None
-    path = grids.frame_filepath
+    path = grids.frame_filepath.replace(os.sep, '/')
     if not path or thing.modifiers or not fits_string(path):
         path = os.path.join(folder, f'{number}-{safe_name(thing.name)}.vdb')
         if not grids.save(path):

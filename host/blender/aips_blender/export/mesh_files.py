@@ -31,7 +31,7 @@ class MeshFiles:
     what is slow; `noted`: whether `kept` is told of what changes."""
 
     def __init__(self, folder, materials, left_out, work, kept=None, noted=False):
-        self.folder = folder
+        self._folder = folder
         self._work = work
         self._noted = noted
         self._kept = kept
@@ -43,15 +43,15 @@ class MeshFiles:
     def of(self, thing, info):
         """Key of an object's mesh with its materials, written where it is new; or None. `info` is
         the object's ObjectInfo."""
-        slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
-        return self._of_kind((thing.data.as_pointer(), slots), thing, info, self._written)
+        return self._of_kind(thing, info, self._written)
 
     def volume(self, thing, info):
         """Likewise of an object of type volume."""
-        slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
-        return self._of_kind((thing.data.as_pointer(), slots), thing, info, self._box)
+        return self._of_kind(thing, info, self._box)
 
-    def _of_kind(self, key, thing, info, write):
+    def _of_kind(self, thing, info, write):
+        slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
+        key = (thing.data.as_pointer(), slots)
         if key not in self.known:
             self.known[key] = write(thing, info)
             if self.known[key]:
@@ -92,7 +92,7 @@ class MeshFiles:
         shader = self._shader(thing, 0, info)
         if shader.medium == CLEAR:
             return None
-        path = os.path.join(self.folder, f'{len(self.known)}-{safe_name(thing.name)}.ply')
+        path = os.path.join(self._folder, f'{len(self.known)}-{safe_name(thing.name)}.ply')
         return Mesh(thing.name, volume_objects.write_box(thing, path, self._work), {0: shader})
 
     def hair(self, thing, info, system, number, for_render):
@@ -118,7 +118,7 @@ class MeshFiles:
     def _of_tubes(self, thing, info, slot, rows, faces):
         slot = max(min(slot, len(thing.material_slots) - 1), 0)
         shader = self._shader(thing, slot, info)
-        parts = meshes.write_tubes(rows, faces, self.folder,
+        parts = meshes.write_tubes(rows, faces, self._folder,
                                    f'{len(self.known)}-{safe_name(thing.name)}', slot, shader,
                                    self._work)
         return Mesh(thing.name, parts, {slot: dataclasses.replace(shader, medium=CLEAR)})
@@ -168,7 +168,7 @@ class MeshFiles:
             self._kept.new() if self._noted and names else kept.content(mesh))
         stem = f'{len(self.known)}-{safe_name(thing.name)}'
         if not content:
-            return meshes.write_parts(mesh, self.folder, stem, shader, tell, self._work)
+            return meshes.write_parts(mesh, self._folder, stem, shader, tell, self._work)
         slots = kept.used_slots(mesh)
         key = self._key_of(content, slots, shader)
         known = self._kept.of(key)

@@ -8,6 +8,7 @@
 #include "checked_input.h"
 #include "lxs/images/image_library.h"
 #include "texture_system.h"
+#include "volume_file.h"
 
 namespace lxs {
 namespace {
@@ -15,6 +16,9 @@ namespace {
 class OiioLibrary final : public ImageLibrary {
   public:
     FloatImage read(const std::string& path) const override;
+    VoxelGrid read_grid(const std::string& path, const std::string& name) const override {
+        return read_volume_file(path, name);
+    }
     std::unique_ptr<CachedImages> make_cache() const override;
 };
 

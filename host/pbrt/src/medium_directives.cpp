@@ -2,15 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "medium_presets.h"
 #include "translator.h"
 
 namespace lxs::pbrt {
 namespace {
 
-const Rgb kDefaultAbsorption(0.0011f, 0.0024f, 0.014f), kDefaultScattering(2.55f, 3.21f, 3.77f);
+/// The unit cube's place: that of the box between two corners.
+Numbers box_matrix(const Vec3& low, const Vec3& high) {
+    const Vec3 size = high - low;
+    return {size.x, 0, 0, 0, 0, size.y, 0, 0, 0, 0, size.z, 0, low.x, low.y, low.z, 1};
+}
 
 }  // namespace
 
@@ -24,23 +28,28 @@ void Translator::make_named_medium(Statement& statement) {
     if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end())
         p.fail("type", unknown_name_message("medium", type, kTypes));
     const auto scale = static_cast<float>(p.number("scale", 1));
-    Rgb absorption = kDefaultAbsorption, scattering = kDefaultScattering;
-    if (p.given("preset"))
-        p.leave_out("preset", "pbrt's default coefficients, of a medium like skin, are used");
-    const bool shaped = type != "homogeneous";
-    absorption = spectra_.colour(p, "sigma_a", ColourOf::Surface, shaped ? Rgb(1.0f) : absorption);
-    scattering = spectra_.colour(p, "sigma_s", ColourOf::Surface, shaped ? Rgb(1.0f) : scattering);
     p.leave_out("Le", "media do not shine here");
-    for (const char* known : {"Lescale", "LeScale"})
+    for (const char* known : {"Lescale", "LeScale", "temperature", "temperaturename",
+                              "temperatureoffset", "temperaturescale", "temperaturecutoff"})
         p.ignore(known);
     const double g = std::clamp(p.number("g", 0), -1.0, 1.0);
     NewStatement made("MakeNamedVolume", statement.where);
-    made.name(name.text);
-    if (const bool grid = type == "uniformgrid" || type == "heterogeneous"; grid) {
-        const Density density = density_grid(p, name.text);
-        made.name("heterogeneous");
+    made.name(name.text).name(type == "homogeneous" ? "homogeneous" : "heterogeneous");
+    if (type == "homogeneous") {
+        const Coefficients given = coefficients(p);
+        made.set("color sigma_a", given.absorption * scale)
+            .set("color sigma_s", given.scattering * scale);
+    } else if (type == "rgbgrid") {
+        for (const char* const head : {"sigma_a", "sigma_s"})
+            made.set(fmt::format("texture {}", head).c_str(),
+                     colour_grid(p, head, name.text, scale));
+    } else {
+        const Coefficients given = coefficients(p);
+        const Density density = type == "cloud"     ? cloud(p, name.text)
+                                : type == "nanovdb" ? filed_density(p, name.text)
+                                                    : density_grid(p, name.text);
         for (const auto& [head, colour] :
-             {std::pair("sigma_a", absorption), {"sigma_s", scattering}}) {
+             {std::pair("sigma_a", given.absorption), {"sigma_s", given.scattering}}) {
             const std::string texture = fresh(name.text + "/" + head);
             add(NewStatement("Texture", statement.where)
                     .name(texture)
@@ -51,63 +60,126 @@ void Translator::make_named_medium(Statement& statement) {
                     .set("color tex2", colour * (scale * density.most)));
             made.set(fmt::format("texture {}", head).c_str(), texture);
         }
-    } else {
-        const float factor = scale * (shaped ? mean_density(p, type) : 1.0f);
-        if (type == "rgbgrid") scattering = absorption = Rgb(1.0f);
-        made.name("homogeneous")
-            .set("color sigma_a", absorption * factor)
-            .set("color sigma_s", scattering * factor);
     }
     add(std::move(made.set("float fresnel", 1).set("color g", Numbers{g, g, g})));
     p.report_unused("medium");
 }
 
-/// Of a medium that is rendered without its shape.
-float Translator::mean_density(Parameters& p, const std::string& type) {
-    const Numbers values = p.numbers(type == "rgbgrid" ? "sigma_s" : "density");
-    for (const char* known :
-         {"nx", "ny", "nz", "p0", "p1", "filename", "density", "wispiness", "frequency",
-          "temperature", "temperatureoffset", "temperaturescale", "temperaturecutoff"})
-        p.ignore(known);
-    warn(p.where("type"),
-         fmt::format("medium \"{}\" is not rendered with its shape: a homogeneous one with its "
-                     "mean density is used",
-                     type));
-    if (values.empty()) return type == "cloud" ? 0.5f : 0.0f;
-    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-    return static_cast<float>(std::max(sum / static_cast<double>(values.size()), 0.0));
+/// By name, or one by one.
+Translator::Coefficients Translator::coefficients(const Parameters& p) {
+    const std::string preset = p.text("preset", "");
+    if (!preset.empty()) {
+        if (const auto known = medium_preset(preset)) return {known->absorption, known->scattering};
+        warn(p.where("preset"),
+             fmt::format("there is no medium \"{}\": its coefficients count", preset));
+    }
+    return {spectra_.colour(p, "sigma_a", ColourOf::Surface, Rgb(1.0f)),
+            spectra_.colour(p, "sigma_s", ColourOf::Surface, Rgb(1.0f))};
+}
+
+/// The box of a grid or cloud: its corners in the space of the medium.
+Bounds Translator::medium_box(const Parameters& p) {
+    return {p.point("p0").value_or(Vec3(0.0f)), p.point("p1").value_or(Vec3(1.0f))};
+}
+
+/// Writes a texture in the medium's space, moved on by `matrix`.
+void Translator::add_in_medium(NewStatement texture, const SourceLocation& at, Numbers matrix) {
+    add("TransformBegin", at);
+    place(at, false, "medium");
+    if (!matrix.empty()) add(NewStatement("ConcatTransform", at).list(std::move(matrix)));
+    add(std::move(texture));
+    add("TransformEnd", at);
+}
+
+/// Number of cells along each axis.
+void Translator::set_cells(NewStatement& made, const Parameters& p) {
+    for (const char* const n : {"nx", "ny", "nz"})
+        made.set(fmt::format("integer {}", n).c_str(), static_cast<int>(p.number(n, 1)));
 }
 
 /// Writes a medium's grid as a texture of densities up to 1.
 Translator::Density Translator::density_grid(Parameters& p, const std::string& medium) {
     Numbers values = p.numbers("density");
     if (values.empty()) p.fail("density", "a grid needs \"density\"");
-    const SourceLocation& at = p.where("density");
+    const SourceLocation at = p.where("density");
     const double most = std::max(*std::ranges::max_element(values), 0.0);
     for (double& value : values)
         value = most > 0 ? std::max(value, 0.0) / most : 0;
-    const Vec3 low = p.point("p0").value_or(Vec3(0.0f));
-    const Vec3 high = p.point("p1").value_or(Vec3(1.0f));
-    for (const char* known :
-         {"temperature", "temperatureoffset", "temperaturescale", "temperaturecutoff"})
-        p.ignore(known);
     const std::string texture = fresh(medium + "/density");
-    add("TransformBegin", at);
-    place(at, false, "medium");
-    const Vec3 size = high - low;
-    add(NewStatement("ConcatTransform", at)
-            .list({size.x, 0, 0, 0, 0, size.y, 0, 0, 0, 0, size.z, 0, low.x, low.y, low.z, 1}));
+    NewStatement made("Texture", at);
+    made.name(texture).name("float").name("densitygrid");
+    made.set("string wrap", "black").set("bool cut", "true");
+    set_cells(made, p);
+    made.set("float density", std::move(values), &at);
+    const Bounds box = medium_box(p);
+    add_in_medium(std::move(made), at, box_matrix(box.min, box.max));
+    return {texture, static_cast<float>(most)};
+}
+
+/// Writes one of the two grids of "rgbgrid", 1 everywhere in its box where it isn't given.
+std::string Translator::colour_grid(Parameters& p, const char* name, const std::string& medium,
+                                    float scale) {
+    const bool given = p.given(name);
+    const SourceLocation at = p.where(name);
+    Numbers values = given ? p.numbers(name) : Numbers{1, 1, 1};
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+        const Rgb colour = surface_in(p.space(), Rgb(float(values[i]), float(values[i + 1]),
+                                                     float(values[i + 2]))) *
+                           scale;
+        for (int c = 0; c < 3; ++c)
+            values[i + std::size_t(c)] = double(std::max(colour[c], 0.0f));
+    }
+    const std::string texture = fresh(medium + "/" + name);
+    NewStatement made("Texture", at);
+    made.name(texture).name("color").name("densitygrid");
+    made.set("string wrap", given ? "black" : "clamp").set("bool cut", "true");
+    if (given) set_cells(made, p);
+    made.set("color density", std::move(values), &at);
+    const Bounds box = medium_box(p);
+    add_in_medium(std::move(made), at, box_matrix(box.min, box.max));
+    return texture;
+}
+
+Translator::Density Translator::cloud(const Parameters& p, const std::string& medium) {
+    const SourceLocation at = p.where("type");
+    const std::string noise = fresh(medium + "/noise"), box = fresh(medium + "/box");
+    NewStatement made("Texture", at);
+    made.name(noise).name("float").name("noisecloud");
+    for (const auto& [name, fallback] :
+         {std::pair("density", 1.0), {"wispiness", 1.0}, {"frequency", 5.0}})
+        made.set(fmt::format("float {}", name).c_str(), p.number(name, fallback));
+    add_in_medium(std::move(made), at, {});
+    const Bounds around = medium_box(p);
+    add_in_medium(std::move(NewStatement("Texture", at)
+                                .name(box)
+                                .name("float")
+                                .name("densitygrid")
+                                .set("float density", 1)
+                                .set("string wrap", "clamp")
+                                .set("bool cut", "true")),
+                  at, box_matrix(around.min, around.max));
+    const std::string texture = fresh(medium + "/density");
     add(NewStatement("Texture", at)
             .name(texture)
             .name("float")
-            .name("densitygrid")
-            .set("integer nx", static_cast<int>(p.number("nx", 1)))
-            .set("integer ny", static_cast<int>(p.number("ny", 1)))
-            .set("integer nz", static_cast<int>(p.number("nz", 1)))
-            .set("float density", std::move(values), &at)
-            .set("string wrap", "black"));
-    add("TransformEnd", at);
-    return {texture, static_cast<float>(most)};
+            .name("scale")
+            .set("texture tex1", noise)
+            .set("texture tex2", box));
+    return {texture, 1};
+}
+
+Translator::Density Translator::filed_density(const Parameters& p, const std::string& medium) {
+    if (!p.given("filename")) p.fail("filename", "medium \"nanovdb\" needs a file");
+    const SourceLocation at = p.where("filename");
+    const std::string texture = fresh(medium + "/density");
+    add_in_medium(std::move(NewStatement("Texture", at)
+                                .name(texture)
+                                .name("float")
+                                .name("densitygrid")
+                                .set("string filename", p.text("filename", ""), &at)
+                                .set("string gridname", p.text("gridname", "density"))),
+                  at, {});
+    return {texture, 1};
 }
 
 void Translator::medium_interface(Statement& statement) {

@@ -208,13 +208,23 @@ class Translator {
 
     // medium_directives.cpp
     void make_named_medium(Statement& statement);
+    struct Coefficients {
+        Rgb absorption, scattering;
+    };
+    Coefficients coefficients(const Parameters& p);
     /// A texture that is 1 where the density is `most`.
     struct Density {
         std::string texture;
         float most = 0;
     };
     Density density_grid(Parameters& p, const std::string& medium);
-    float mean_density(Parameters& p, const std::string& type);
+    Density cloud(const Parameters& p, const std::string& medium);
+    Density filed_density(const Parameters& p, const std::string& medium);
+    std::string colour_grid(Parameters& p, const char* name, const std::string& medium,
+                            float scale);
+    static Bounds medium_box(const Parameters& p);
+    static void set_cells(NewStatement& made, const Parameters& p);
+    void add_in_medium(NewStatement texture, const SourceLocation& at, Numbers matrix);
     void medium_interface(Statement& statement);
 
     void add(Statement statement) {

@@ -8,9 +8,11 @@
 namespace lxs {
 namespace {
 
-/// Samples along the longest side of the bounds, less one.
-constexpr int kSamples = 128;
-/// Of these along the side of a cell.
+/// Samples along the longest side of the bounds, less one: of a field of no cells, and at most.
+constexpr int kSamples = 128, kMostSamples = 512;
+/// Cells along it at most: beyond, a flight's steps cost more than what majorants spare.
+constexpr int kMostCells = 64;
+/// Samples along the side of a cell, at least.
 constexpr int kSamplesOfACell = 4;
 /// Most that spectra are above the colours that they are made of.
 constexpr float kAboveColours = 1.25f;
@@ -26,29 +28,66 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
     : field_(std::move(field)), bounds_(bounds) {
     const Vec3 size = bounds.size();
     const float longest = std::max({size.x, size.y, size.z, 1e-30f});
+    // At borders and middles of its own cells: a grid that fills the bounds is met where it is
+    // most.
+    const float own = field_->cell_size() > 0 ? 2 * longest / field_->cell_size() : 0;
+    const int wanted = int(std::clamp(own, float(kSamples), float(kMostSamples)));
+    const int per_cell = std::max(kSamplesOfACell, (wanted + kMostCells - 1) / kMostCells);
+    const int most_cells = (wanted + per_cell - 1) / per_cell;
     std::array<int, 3> samples{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float share = size[int(axis)] / longest * (kSamples / kSamplesOfACell);
-        cells_[axis] = std::clamp(int(std::ceil(share)), 1, kSamples / kSamplesOfACell);
-        samples[axis] = cells_[axis] * kSamplesOfACell + 1;
+        const float share = size[int(axis)] / longest * float(most_cells);
+        cells_[axis] = std::clamp(int(std::ceil(share)), 1, most_cells);
+        samples[axis] = cells_[axis] * per_cell + 1;
         width_[int(axis)] = std::max(size[int(axis)], 1e-6f * longest) / float(cells_[axis]);
     }
     const float densest = kDensestCell / std::min({width_.x, width_.y, width_.z});
-    const auto layer = std::size_t(samples[0]) * std::size_t(samples[1]);
-    std::vector<float> extinctions(layer * std::size_t(samples[2]));
+    const auto row = std::size_t(samples[0]), layer = row * std::size_t(samples[1]);
+    // Of a cell its own samples, those on its faces, and one beyond.
+    const auto around = [&](int cell, std::size_t axis) {
+        return std::pair(std::max(cell * per_cell - 1, 0),
+                         std::min((cell + 1) * per_cell + 1, samples[axis] - 1));
+    };
     std::vector<Imath::V3d> absorption(std::size_t(samples[2]), Imath::V3d(0.0));
     std::vector<Imath::V3d> scattering(absorption);
-    jobs(samples[2], [&](int z) {
-        float* next = extinctions.data() + std::size_t(z) * layer;
-        for (int y = 0; y < samples[1]; ++y) {
-            for (int x = 0; x < samples[0]; ++x) {
-                const Vec3 place = Vec3(float(x), float(y), float(z)) / float(kSamplesOfACell);
-                const MediumCoefficients here = field_->at(bounds_.min + place * width_, nullptr);
-                const float most = max_component(here.extinction());
-                const float share = most > densest ? densest / most : 1;
-                absorption[std::size_t(z)] += Imath::V3d(here.absorption * share);
-                scattering[std::size_t(z)] += Imath::V3d(here.scattering * share);
-                *next++ = most * share;
+    majorants_.resize(index({cells_[0] - 1, cells_[1] - 1, cells_[2] - 1}) + 1);
+    // Layer by layer of cells: samples of all at once would take half a gigabyte.
+    jobs(cells_[2], [&](int cell_z) {
+        const auto [first, last] = around(cell_z, 2);
+        std::vector<float> extinctions(layer * std::size_t(last - first + 1));
+        for (int z = first; z <= last; ++z) {
+            float* next = extinctions.data() + std::size_t(z - first) * layer;
+            Imath::V3d absorbed(0.0), scattered(0.0);
+            for (int y = 0; y < samples[1]; ++y) {
+                for (int x = 0; x < samples[0]; ++x) {
+                    const Vec3 place = Vec3(float(x), float(y), float(z)) / float(per_cell);
+                    const MediumCoefficients here =
+                        field_->at(bounds_.min + place * width_, nullptr);
+                    const float most = max_component(here.extinction());
+                    const float share = most > densest ? densest / most : 1;
+                    absorbed += Imath::V3d(here.absorption * share);
+                    scattered += Imath::V3d(here.scattering * share);
+                    *next++ = most * share;
+                }
+            }
+            // Layers that two jobs sample count once.
+            if (std::min(z / per_cell, cells_[2] - 1) != cell_z) continue;
+            absorption[std::size_t(z)] = absorbed;
+            scattering[std::size_t(z)] = scattered;
+        }
+        for (int y = 0; y < cells_[1]; ++y) {
+            for (int x = 0; x < cells_[0]; ++x) {
+                const auto [x0, x1] = around(x, 0);
+                const auto [y0, y1] = around(y, 1);
+                float most = 0;
+                for (int k = 0; k <= last - first; ++k) {
+                    for (int j = y0; j <= y1; ++j) {
+                        const float* const from =
+                            extinctions.data() + std::size_t(k) * layer + std::size_t(j) * row;
+                        most = std::max(most, *std::max_element(from + x0, from + x1 + 1));
+                    }
+                }
+                majorants_[index({x, y, cell_z})] = std::min(most * kAboveColours, densest);
             }
         }
     });
@@ -56,34 +95,10 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
         Imath::V3d sum(0.0);
         for (const Imath::V3d& s : sums)
             sum += s;
-        return Rgb(Vec3(sum / double(extinctions.size())));
+        return Rgb(Vec3(sum / (double(layer) * double(samples[2]))));
     };
     mean_.absorption = mean(absorption);
     mean_.scattering = mean(scattering);
-    // Of a cell its own samples, those on its faces, and one beyond.
-    majorants_.resize(index({cells_[0] - 1, cells_[1] - 1, cells_[2] - 1}) + 1);
-    jobs(cells_[2], [&](int z) {
-        for (int y = 0; y < cells_[1]; ++y) {
-            for (int x = 0; x < cells_[0]; ++x) {
-                const auto around = [&](int cell, std::size_t axis) {
-                    return std::pair(std::max(cell * kSamplesOfACell - 1, 0),
-                                     std::min((cell + 1) * kSamplesOfACell + 1, samples[axis] - 1));
-                };
-                const auto [x0, x1] = around(x, 0);
-                const auto [y0, y1] = around(y, 1);
-                const auto [z0, z1] = around(z, 2);
-                float most = 0;
-                for (int k = z0; k <= z1; ++k) {
-                    for (int j = y0; j <= y1; ++j) {
-                        const float* const row = extinctions.data() + std::size_t(k) * layer +
-                                                 std::size_t(j) * std::size_t(samples[0]);
-                        most = std::max(most, *std::max_element(row + x0, row + x1 + 1));
-                    }
-                }
-                majorants_[index({x, y, z})] = std::min(most * kAboveColours, densest);
-            }
-        }
-    });
 }
 
 MediumCoefficients BoundedField::at(const Vec3& position) const {

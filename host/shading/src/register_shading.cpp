@@ -38,6 +38,7 @@ void register_textures(Registry& registry) {
     shading::register_sampled_spectra(registry);
     shading::register_hitpoint_textures(registry);
     shading::register_density_textures(registry);
+    shading::register_grids(registry);
     shading::register_blender_noises(registry);
     shading::register_blender_waves(registry);
     registry.float_textures["blender_musgrave"] = shading::blender_musgrave_plugin();

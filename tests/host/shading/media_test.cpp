@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lxs/spectrum/wavelengths.h"
 #include "shading_fixture.h"
 
 namespace lxs::media_test {
@@ -57,6 +58,22 @@ TEST_F(MediaTest, CoefficientsOutOfRangeAreLimited) {
     EXPECT_EQ(medium->scattering(), Rgb(0, 1, 1));
     EXPECT_TRUE(std::isfinite(medium->phase(1).x));
     EXPECT_EQ(scene_.diagnostics.warnings.size(), 2u);
+}
+
+/// As a homogeneous medium of the colour has it.
+TEST_F(MediaTest, HeterogeneousHasSpectraAtWavelengths) {
+    const Rgb scattering(0.9f, 0.2f, 0.1f);
+    const SceneMedium made =
+        scene_.make_scene_medium("heterogeneous", {color("sigma_s", scattering)});
+    made.medium->bound(Bounds(Vec3(-1), Vec3(1)), [](int count, const auto& job) {
+        for (int i = 0; i < count; ++i)
+            job(i);
+    });
+    EXPECT_EQ(made.medium->scattering_at(Vec3(0)), scattering);
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 3);
+    made.medium->set_wavelengths(&wavelengths);
+    EXPECT_TRUE(made.medium->scattering_at(Vec3(0)).equalWithAbsError(
+        wavelengths.values_of(scattering), 1e-5f));
 }
 
 }  // namespace

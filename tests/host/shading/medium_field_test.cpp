@@ -193,6 +193,32 @@ TEST(MediumField, FlightsEndHoweverDenseACellIs) {
     beside.expect(Imath::V3d(std::exp(-0.2)), "beside");
 }
 
+/// A grid of more cells than 128 a side: every seventh layer is dense, linear between cells'
+/// middles.
+class Sheets final : public MediumField {
+  public:
+    static constexpr float kCell = 2.0f / 300;
+
+    MediumCoefficients at(const Vec3& p, const Wavelengths*) const override {
+        const float place = std::fmod((p.z + 1) / kCell + 3, 7.0f) - 3.5f;  // of the next middle
+        return {Rgb(8 * std::max(0.0f, 1 - std::abs(place))), Rgb(0.0f), Rgb(0.0f)};
+    }
+    bool scatters() const override { return false; }
+    float cell_size() const override { return kCell; }
+};
+
+TEST(MediumField, WhatIsFineAsItsCellsIsNotCut) {
+    Medium medium(std::make_shared<Sheets>(), Rgb(0.0f), IndexCurve{});
+    medium.bound(Bounds(Vec3(-1), Vec3(1)), run_serially);
+    UniformSource random(6);
+    Means passed;
+    for (int i = 0; i < kDraws; ++i) {
+        const Vec3 origin(random.pair().x, random.pair().y, -1.5f);
+        passed.add(Imath::V3d(medium.transmittance(origin, Vec3(0, 0, 1), 9)));
+    }
+    passed.expect(Imath::V3d(std::exp(-43 * 8 * double(Sheets::kCell))), "passed");
+}
+
 TEST(MediumField, IsNothingBeyondItsBounds) {
     const Medium medium = layered_medium();
     EXPECT_EQ(medium.transmittance(Vec3(5, 0, 0), Vec3(0, 0, 1), 100), Rgb(1.0f));

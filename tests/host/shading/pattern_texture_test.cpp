@@ -216,6 +216,33 @@ TEST_F(PatternTextureTest, DensityGridIsTrilinear) {
     EXPECT_FLOAT_EQ(value("black", 1e30f), 0);
     EXPECT_THROW(scene_.make_float("densitygrid", {integer("nx", 3), numbers("density", {1, 3})}),
                  InputError);
+    values.push_back(flag("cut", true));
+    EXPECT_FLOAT_EQ(value("clamp", 1), 3);
+    EXPECT_FLOAT_EQ(value("clamp", 1.01f), 0);
+    EXPECT_FLOAT_EQ(value("black", 0), 0.5f);
+}
+
+TEST_F(PatternTextureTest, DensityGridOfColours) {
+    const auto grid = scene_.make_color(
+        "densitygrid",
+        {integer("ny", 2), colors("density", {1, 2, 3, 5, 6, 7}), text("wrap", "clamp")});
+    EXPECT_EQ(grid->evaluate(at(0, 0, 0)), Rgb(1, 2, 3));
+    EXPECT_EQ(grid->evaluate(at(0, 0.5f, 0)), Rgb(3, 4, 5));
+    EXPECT_FLOAT_EQ(grid->cell_size(), 0.5f);
+    EXPECT_THROW(scene_.make_color("densitygrid", {colors("density", {1, 2, 3, 5, 6, 7})}),
+                 InputError);
+}
+
+/// Full below a height of 0, nothing above 1, within 0 and 1 in between.
+TEST_F(PatternTextureTest, NoiseCloudEndsAboveItsBase) {
+    const auto cloud = scene_.make_float("noisecloud");
+    for (float x = 0.05f; x < 5; x += 0.37f) {
+        EXPECT_EQ(cloud->evaluate(at(x, -0.01f, 0.3f)), 1);
+        EXPECT_EQ(cloud->evaluate(at(x, 1, 0.3f)), 0);
+        const float between = cloud->evaluate(at(x, 0.7f, 0.3f));
+        EXPECT_GE(between, 0);
+        EXPECT_LE(between, 1);
+    }
 }
 
 TEST_F(PatternTextureTest, VertexColoursAreTheMeshs) {

@@ -31,6 +31,9 @@ ParameterValue integer(const std::string& name, std::int64_t value) {
 ParameterValue color(const std::string& name, const Rgb& value) {
     return parameter("color", name, std::vector<double>{value.x, value.y, value.z});
 }
+ParameterValue colors(const std::string& name, std::vector<double> channels) {
+    return parameter("color", name, std::move(channels));
+}
 ParameterValue text(const std::string& name, const std::string& value) {
     return parameter("string", name, std::vector<std::string>{value});
 }

@@ -38,6 +38,7 @@ ParameterValue numbers(const std::string& name, std::vector<double> values);
 ParameterValue vector(const std::string& name, const Vec3& value);
 ParameterValue integer(const std::string& name, std::int64_t value);
 ParameterValue color(const std::string& name, const Rgb& value);
+ParameterValue colors(const std::string& name, std::vector<double> channels);
 ParameterValue text(const std::string& name, const std::string& value);
 ParameterValue flag(const std::string& name, bool value);
 ParameterValue texture(const std::string& name, const std::string& value);

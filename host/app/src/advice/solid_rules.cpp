@@ -10,6 +10,7 @@
 #include "advice/advice_rules.h"
 #include "lxs/host/explanation.h"
 #include "lxs/sdk/rays.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {

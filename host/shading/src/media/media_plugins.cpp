@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "lxs/spectrum/colour_matching.h"
+#include "lxs/spectrum/wavelengths.h"
 #include "materials/metal_presets.h"
 #include "materials/prepared_texture.h"
 #include "textures/texture_parameters.h"
@@ -88,6 +89,9 @@ class TexturedField final : public MediumField {
         point.wavelengths = wavelengths;
         return {of(*absorption_, point), of(*scattering_, point), Rgb(0.0f)};
     }
+    float cell_size() const override {
+        return smaller_cell(absorption_->cell_size(), scattering_->cell_size());
+    }
     bool scatters() const override {
         const std::optional<Rgb> everywhere = scattering_->constant();
         return !everywhere || max_component(*everywhere) > 0;
@@ -95,7 +99,12 @@ class TexturedField final : public MediumField {
 
   private:
     static Rgb of(const ColorTexture& texture, const TexturePoint& point) {
-        const Rgb value = texture.evaluate(point);
+        Rgb value = texture.evaluate(point);
+        if (point.wavelengths != nullptr) {
+            const CurvePointer spectrum = texture.spectrum();
+            value = spectrum ? spectrum->amounts_at(*point.wavelengths)
+                             : point.wavelengths->values_of(value);
+        }
         const auto valid = [](float x) { return x > 0 ? std::min(x, kDensest) : 0.0f; };
         return {valid(value.x), valid(value.y), valid(value.z)};
     }

@@ -35,6 +35,9 @@ class ScaleTexture final : public Texture<T> {
     }
     CurvePointer spectrum() const override { return spectrum_; }
     bool reads_image() const override { return first_->reads_image() || second_->reads_image(); }
+    float cell_size() const override {
+        return smaller_cell(first_->cell_size(), second_->cell_size());
+    }
 
   private:
     Input first_, second_;
@@ -64,6 +67,10 @@ class MixTexture final : public Texture<T> {
     }
     bool reads_image() const override {
         return first_->reads_image() || second_->reads_image() || amount_->reads_image();
+    }
+    float cell_size() const override {
+        return smaller_cell(amount_->cell_size(),
+                            smaller_cell(first_->cell_size(), second_->cell_size()));
     }
 
   private:

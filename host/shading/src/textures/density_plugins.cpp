@@ -1,13 +1,12 @@
-// Densities in space: "exponential" and "densitygrid".
+// Densities in space that are formulas: "exponential" and "noisecloud".
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "formula_texture.h"
+#include "perlin_noise.h"
 #include "space_mapping.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
-#include "wrap.h"
 
 namespace lxs::shading {
 namespace {
@@ -24,68 +23,42 @@ std::shared_ptr<const FloatTexture> create_exponential(const ParameterReader& re
         });
 }
 
-/// Values at the middles of the cells of a grid that fills the unit cube, linear in between.
-struct DensityGrid {
-    std::array<std::int64_t, 3> size;
-    std::vector<float> values;
-    Wrap wrap = Wrap::Repeat;
-
-    float cell(std::array<std::int64_t, 3> index) const {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int64_t n = size[axis];
-            if (index[axis] >= 0 && index[axis] < n) continue;
-            if (wrap == Wrap::Black) return 0;
-            if (wrap == Wrap::White) return 1;
-            index[axis] = wrap == Wrap::Clamp ? std::clamp<std::int64_t>(index[axis], 0, n - 1)
-                                              : ((index[axis] % n) + n) % n;
-        }
-        return values[static_cast<std::size_t>((index[2] * size[1] + index[1]) * size[0] +
-                                               index[0])];
-    }
-
-    float at(const Vec3& p) const {
-        constexpr float kFarthest = 1e6f;  // in cells: no index overflows
-        std::array<std::int64_t, 3> first{};
-        Vec3 share;
+/// A cloud with a flat base: noise of five octaves, thinner the higher, between heights 0 and 1
+/// (the medium "cloud" of pbrt-v4). `wisps`: how far places are moved along the slope of finer
+/// noise.
+float noise_cloud(const Vec3& p, float density, float wisps, float frequency) {
+    constexpr float kLacunarity = 1.99f;  // of perlin_noise.h's sums
+    constexpr float kStep = 0.01f;        // of the slopes
+    if (!std::isfinite(p.x + p.y + p.z)) return 0;
+    Vec3 place = p * frequency;
+    float size = 0.05f * wisps, scale = 10;
+    for (int octave = 0; octave < 2 && wisps > 0; ++octave) {
+        const Vec3 at = place * scale;
+        const float here = perlin_noise(at);
+        Vec3 slope;
         for (int axis = 0; axis < 3; ++axis) {
-            const float place =
-                p[axis] * static_cast<float>(size[static_cast<std::size_t>(axis)]) - 0.5f;
-            if (!(std::abs(place) < kFarthest)) return wrap == Wrap::White ? 1.0f : 0.0f;
-            const float below = std::floor(place);
-            first[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(below);
-            share[axis] = place - below;
+            Vec3 beside = at;
+            beside[axis] += kStep;
+            slope[axis] = (perlin_noise(beside) - here) / kStep;
         }
-        float sum = 0;
-        for (std::int64_t corner = 0; corner < 8; ++corner) {
-            const std::int64_t x = corner & 1, y = (corner >> 1) & 1, z = corner >> 2;
-            const float weight = (x ? share.x : 1 - share.x) * (y ? share.y : 1 - share.y) *
-                                 (z ? share.z : 1 - share.z);
-            sum += weight * cell({first[0] + x, first[1] + y, first[2] + z});
-        }
-        return sum;
+        place += slope * size;
+        size *= 0.5f;
+        scale *= kLacunarity;
     }
-};
-
-std::shared_ptr<const FloatTexture> create_densitygrid(const ParameterReader& reader,
-                                                       const AssetContext&,
-                                                       const Matrix& to_world) {
-    DensityGrid grid;
-    grid.size = {reader.integer("nx", 1), reader.integer("ny", 1), reader.integer("nz", 1)};
-    const auto density = reader.numbers("density");
-    if (static_cast<double>(density.size()) !=
-        double(grid.size[0]) * double(grid.size[1]) * double(grid.size[2])) {
-        reader.fail("density", "densitygrid: \"density\" needs nx * ny * nz values, but has " +
-                                   std::to_string(density.size()));
-    }
-    grid.values.assign(density.begin(), density.end());
-    grid.wrap = read_wrap(reader);
-    return formula_texture<float>(
-        [grid = std::move(grid), mapping = SpaceMapping(reader, to_world)](
-            const TexturePoint& point) { return grid.at(mapping(point)); });
+    const float noise = 0.5f * fractal_sum(place, 0.5f, 5);
+    const float thinner = std::clamp((1 - p.y) * 4.5f * density * noise, 0.0f, 1.0f);
+    return std::min(thinner + 2 * std::max(0.0f, 0.5f - p.y), 1.0f);
 }
 
-ParameterDeclaration cells(std::string_view name, std::string_view doc) {
-    return {name, ParameterType::Integer, "1", doc, 1, 65536};
+std::shared_ptr<const FloatTexture> create_noisecloud(const ParameterReader& reader,
+                                                      const AssetContext&, const Matrix& to_world) {
+    const auto density = static_cast<float>(reader.number("density", 1));
+    const auto wispiness = static_cast<float>(reader.number("wispiness", 1));
+    const auto frequency = static_cast<float>(reader.number("frequency", 5));
+    return formula_texture<float>(
+        [=, mapping = SpaceMapping(reader, to_world)](const TexturePoint& point) {
+            return noise_cloud(mapping(point), density, wispiness, frequency);
+        });
 }
 
 }  // namespace
@@ -98,16 +71,12 @@ void register_density_textures(Registry& registry) {
                         "fall-off per unit of length: the density is exp(-decay * height)"}},
                       space_mapping_parameters()}),
         &create_exponential};
-    ParameterDeclaration density{"density", ParameterType::Float, "",
-                                 "nx * ny * nz values, x running fastest, in the unit cube of the "
-                                 "texture's space"};
-    density.array = true;
-    registry.float_textures["densitygrid"] = {
-        declarations(
-            {{density, cells("nx", "cells along x"), cells("ny", "cells along y"),
-              cells("nz", "cells along z"), wrap_parameter("values outside of the unit cube")},
-             space_mapping_parameters()}),
-        &create_densitygrid};
+    registry.float_textures["noisecloud"] = {
+        declarations({{{"density", ParameterType::Float, "1", "how much of the noise is cloud", 0},
+                       {"wispiness", ParameterType::Float, "1", "how torn its edges are", 0},
+                       {"frequency", ParameterType::Float, "5", "of its largest lumps"}},
+                      space_mapping_parameters()}),
+        &create_noisecloud};
 }
 
 }  // namespace lxs::shading

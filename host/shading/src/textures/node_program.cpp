@@ -920,6 +920,13 @@ bool NodeProgram::reads_image() const {
     return std::ranges::any_of(textures_, [](const auto& t) { return t->reads_image(); });
 }
 
+float NodeProgram::cell_size() const {
+    float smallest = 0;
+    for (const auto& texture : textures_)
+        smallest = smaller_cell(smallest, texture->cell_size());
+    return smallest;
+}
+
 Vec3 NodeProgram::evaluate(const TexturePoint& point) const {
     constexpr std::size_t kMostInputs = 14;
     std::array<Vec3, kMostInstructions> values;

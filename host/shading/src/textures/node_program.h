@@ -29,6 +29,7 @@ class NodeProgram {
     /// Whether the value is the same everywhere.
     bool constant() const { return constant_; }
     bool reads_image() const;
+    float cell_size() const;
 
     struct Operand {
         int instruction = -1;  ///< whose value it is; -1: `number`

@@ -32,6 +32,7 @@ class FloatNodes final : public FloatTexture {
         return program_->constant() ? std::optional(evaluate({})) : std::nullopt;
     }
     bool reads_image() const override { return program_->reads_image(); }
+    float cell_size() const override { return program_->cell_size(); }
 
   private:
     std::shared_ptr<const nodes::NodeProgram> program_;
@@ -51,6 +52,7 @@ class ColorNodes final : public ColorTexture {
         return program_->constant() ? std::optional(evaluate({})) : std::nullopt;
     }
     bool reads_image() const override { return program_->reads_image(); }
+    float cell_size() const override { return program_->cell_size(); }
 
   private:
     std::shared_ptr<const nodes::NodeProgram> program_;

@@ -1,7 +1,9 @@
 // Placement of three-dimensional textures.
 #include "space_mapping.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include "texture_space.h"
@@ -68,6 +70,19 @@ Vec3 SpaceMapping::operator()(const TexturePoint& point) const {
     if (uv_) return Vec3(point.uv.x, point.uv.y, 0) * to_texture_;
     if (normal_) return turned(local_ ? local_normal(point) : point.n, normal_to_texture_);
     return (local_ ? local_position(point) : point.p) * to_texture_;
+}
+
+float SpaceMapping::shortest_in_world(const Matrix& steps) const {
+    if (uv_ || normal_ || local_) return 0;
+    const Matrix to_world = steps * Matrix(to_texture_).inverse();
+    double shortest = std::numeric_limits<double>::max();
+    for (int axis = 0; axis < 3; ++axis) {
+        Imath::V3d step(0.0), in_world;
+        step[axis] = 1;
+        to_world.multDirMatrix(step, in_world);
+        shortest = std::min(shortest, in_world.length());
+    }
+    return static_cast<float>(shortest);
 }
 
 std::vector<ParameterDeclaration> space_mapping_parameters() {

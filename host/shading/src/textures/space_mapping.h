@@ -21,6 +21,9 @@ class SpaceMapping {
     SpaceMapping(const ParameterReader& reader, const Matrix& to_world);
 
     Vec3 operator()(const TexturePoint& point) const;
+    /// Least length in world space of steps along the axes of the texture's space; 0 where it is
+    /// not placed in the world.
+    float shortest_in_world(const Matrix& steps) const;
 
   private:
     bool normal_ = false, local_ = false, uv_ = false;

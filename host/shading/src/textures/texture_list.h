@@ -16,6 +16,15 @@ template <class T>
 bool all_constant(const TextureList<T>& list) {
     return std::all_of(list.begin(), list.end(), [](const auto& t) { return t->constant(); });
 }
+/// Texture::cell_size() of all of them.
+template <class T>
+float smallest_cell(const TextureList<T>& list) {
+    float smallest = 0;
+    for (const auto& texture : list)
+        smallest = smaller_cell(smallest, texture->cell_size());
+    return smallest;
+}
+
 template <class T>
 bool any_reads_image(const TextureList<T>& list) {
     return std::any_of(list.begin(), list.end(), [](const auto& t) { return t->reads_image(); });

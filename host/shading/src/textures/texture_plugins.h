@@ -33,7 +33,8 @@ void register_sum_textures(Registry& registry);       ///< add, subtract, multim
 void register_spectral_textures(Registry& registry);  ///< blackbody, equalenergy, gaussian, ...
 void register_sampled_spectra(Registry& registry);    ///< regular-, irregular-, tabulateddata
 void register_hitpoint_textures(Registry& registry);  ///< hitpointcolor, -grey, -alpha
-void register_density_textures(Registry& registry);   ///< exponential, densitygrid
+void register_density_textures(Registry& registry);   ///< exponential, noisecloud
+void register_grids(Registry& registry);              ///< densitygrid
 
 void register_blender_noises(Registry& registry);  ///< blender_clouds, -voronoi, ...
 void register_blender_waves(Registry& registry);   ///< blender_marble, -wood, -magic, -blend

@@ -32,6 +32,7 @@ class WeightedSum final : public Texture<T> {
         return all_constant(inputs_) ? std::optional<T>(evaluate({})) : std::nullopt;
     }
     bool reads_image() const override { return any_reads_image(inputs_); }
+    float cell_size() const override { return smallest_cell(inputs_); }
 
   private:
     TextureList<T> inputs_;
@@ -86,6 +87,9 @@ class Band final : public Texture<T> {
         return constant ? std::optional<T>(evaluate({})) : std::nullopt;
     }
     bool reads_image() const override { return amount_->reads_image() || any_reads_image(inputs_); }
+    float cell_size() const override {
+        return smaller_cell(amount_->cell_size(), smallest_cell(inputs_));
+    }
 
   private:
     std::shared_ptr<const FloatTexture> amount_;

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "lxs/images/voxel_grid.h"
+
 namespace lxs {
 
 /// An image as numbers: [row][column][channel], the top row first.
@@ -59,6 +61,8 @@ class ImageLibrary {
     virtual ~ImageLibrary() = default;
     /// Throws std::runtime_error with the reason if the file can't be read.
     virtual FloatImage read(const std::string& path) const = 0;
+    /// The grid called `name` of a volume file (OpenVDB or NanoVDB). Throws likewise.
+    virtual VoxelGrid read_grid(const std::string& path, const std::string& name) const = 0;
     virtual std::unique_ptr<CachedImages> make_cache() const = 0;
 };
 

@@ -1,6 +1,7 @@
 // Textures: functions of a surface point.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,6 +35,11 @@ struct TexturePoint {
     RefusedValues* refused = nullptr;  ///< counts values that no material can use; may be null
 };
 
+/// The smaller of two sizes of cells, of which 0 stands for none.
+inline float smaller_cell(float a, float b) {
+    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
+}
+
 /// A texture with values of type T (float, Rgb).
 template <class T>
 class Texture {
@@ -51,6 +57,8 @@ class Texture {
     virtual Vec2 mapped_slope(const TexturePoint& /*point*/) const { return Vec2(0.0f); }
     /// True if an image file is read.
     virtual bool reads_image() const { return false; }
+    /// Of what is made of cells in space, the least side of a cell in world space; 0: of no cells.
+    virtual float cell_size() const { return 0; }
 };
 
 /// Complex index of refraction per RGB channel.

@@ -33,15 +33,17 @@ class MediumField {
     virtual MediumCoefficients at(const Vec3& position, const Wavelengths* wavelengths) const = 0;
     /// Whether it scatters anywhere.
     virtual bool scatters() const = 0;
+    /// Of a field of cells, the least side of one; 0: of no cells.
+    virtual float cell_size() const { return 0; }
 };
 
 /// Runs job(0) ... job(count - 1) on any number of threads.
 using FieldJobs = std::function<void(int count, const std::function<void(int)>& job)>;
 
 /// A field within bounds, outside of which there is nothing, with the most that it is in each of
-/// its cells: what tracking flies by. Both are found at samples, 128 along the longest side; where
-/// the field is more between samples than around them, or a cell so dense that nothing is seen
-/// through it, it is cut to that.
+/// its cells: what tracking flies by. Both are found at samples, 128 along the longest side, and up
+/// to 512 where the field has cells of its own; where the field is more between samples than around
+/// them, or a cell so dense that nothing is seen through it, it is cut to that.
 class BoundedField {
   public:
     BoundedField(std::shared_ptr<const MediumField> field, const Bounds& bounds,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "finite_float.h"
+
 namespace lxs {
 namespace {
 
@@ -57,7 +59,7 @@ Chromaticity nearest_on_border(const ColorSpace& space, const Chromaticity& p) {
 }
 
 Rgb positive(const Imath::V3d& c) {
-    const auto clip = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
+    const auto clip = [](double v) { return finite_float(std::max(v, 0.0)); };
     return Rgb(clip(c.x), clip(c.y), clip(c.z));
 }
 
@@ -72,7 +74,7 @@ ColorConversion::ColorConversion(const ColorSpace& from, const ColorSpace& to)
 
 Rgb ColorConversion::operator()(const Rgb& c) const {
     const Imath::V3d result = Imath::V3d(c) * matrix_;
-    if (result.x >= 0 && result.y >= 0 && result.z >= 0) return Rgb(Imath::V3f(result));
+    if (result.x >= 0 && result.y >= 0 && result.z >= 0) return positive(result);
     return constrained(Imath::V3d(c) * to_xyz_);
 }
 

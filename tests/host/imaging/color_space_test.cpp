@@ -1,5 +1,6 @@
 // Protects the film's colour space: matrices against published ones, and that images follow it.
 #include <algorithm>
+#include <limits>
 
 #include "color_space.h"
 
@@ -87,6 +88,19 @@ TEST(ColorSpace, IsSmptesUnlessTheSceneSaysOtherwise) {
     EXPECT_NEAR(white.x, 0.9898, 2e-4);
     EXPECT_NEAR(white.y, 1.0027, 2e-4);
     EXPECT_NEAR(white.z, 1.0041, 2e-4);
+}
+
+/// The film's primaries may make a channel brighter than the image has it.
+TEST(ColorSpace, WhatIsBrighterThanFloatsHoldStaysFinite) {
+    const float most = std::numeric_limits<float>::max();
+    const ColorConversion to_film(kSceneColors, ColorSpace{});
+    for (const Rgb& colour : {Rgb(most), Rgb(0, most, 0), Rgb(0, 0, most)}) {
+        const Rgb film = to_film(colour);
+        for (const float value : {film.x, film.y, film.z}) {
+            EXPECT_GE(value, 0);
+            EXPECT_LE(value, most);
+        }
+    }
 }
 
 TEST(ColorSpace, NonsenseIsRefused) {

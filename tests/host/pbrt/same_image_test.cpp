@@ -510,7 +510,7 @@ TEST(PbrtImage, GridOfDensities) {
         kOurLamp +
             "AttributeBegin\nTranslate 0.2 0 0\nTranslate -1 -1 -1\nScale 2 2 2\n"
             "Texture \"grid\" \"float\" \"densitygrid\" \"integer nx\" [2] \"float density\" "
-            "[1 0.25] \"string wrap\" [\"black\"]\nAttributeEnd\n"
+            "[1 0.25] \"string wrap\" [\"black\"] \"bool cut\" [\"true\"]\nAttributeEnd\n"
             "Texture \"a\" \"color\" \"mix\" \"texture amount\" [\"grid\"] \"color tex1\" "
             "[0 0 0] \"color tex2\" [0.2 0.4 0.6]\n"
             "Texture \"s\" \"color\" \"mix\" \"texture amount\" [\"grid\"] \"color tex1\" "

@@ -25,7 +25,7 @@ std::int64_t floored(std::int64_t voxel) {
 }  // namespace
 
 GridBricks::GridBricks(VoxelGrid& grid, const VoxelGrid::Voxel& low, const VoxelGrid::Voxel& high)
-    : grid_(grid), low_(low), high_(high) {
+    : grid_(grid) {
     std::int64_t bricks = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (low[axis] > high[axis]) throw std::runtime_error("the grid holds nothing");

@@ -24,7 +24,6 @@ class GridBricks {
 
   private:
     VoxelGrid& grid_;
-    VoxelGrid::Voxel low_, high_;
 };
 
 /// Throws: the file has no grid of that name, but these.

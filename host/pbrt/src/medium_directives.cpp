@@ -23,10 +23,10 @@ void Translator::make_named_medium(Statement& statement) {
     ParameterSet set = take_parameters(statement, 1, name);
     Parameters p(std::move(set), defaults("medium"), *state_.space, diagnostics_);
     const std::string type = p.text("type", "homogeneous");
-    static const std::vector<std::string> kTypes{"homogeneous", "uniformgrid", "rgbgrid",
-                                                 "cloud",       "nanovdb",     "heterogeneous"};
-    if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end())
-        p.fail("type", unknown_name_message("medium", type, kTypes));
+    static const std::vector<std::string> known_types{
+        "homogeneous", "uniformgrid", "rgbgrid", "cloud", "nanovdb", "heterogeneous"};
+    if (std::find(known_types.begin(), known_types.end(), type) == known_types.end())
+        p.fail("type", unknown_name_message("medium", type, known_types));
     const auto scale = static_cast<float>(p.number("scale", 1));
     p.leave_out("Le", "media do not shine here");
     for (const char* known : {"Lescale", "LeScale", "temperature", "temperaturename",
@@ -129,7 +129,7 @@ std::string Translator::colour_grid(Parameters& p, const char* name, const std::
         for (int c = 0; c < 3; ++c)
             values[i + std::size_t(c)] = double(std::max(colour[c], 0.0f));
     }
-    const std::string texture = fresh(medium + "/" + name);
+    std::string texture = fresh(medium + "/" + name);
     NewStatement made("Texture", at);
     made.name(texture).name("color").name("densitygrid");
     made.set("string wrap", given ? "black" : "clamp").set("bool cut", "true");
@@ -141,7 +141,7 @@ std::string Translator::colour_grid(Parameters& p, const char* name, const std::
 }
 
 Translator::Density Translator::cloud(const Parameters& p, const std::string& medium) {
-    const SourceLocation at = p.where("type");
+    const SourceLocation& at = p.where("type");
     const std::string noise = fresh(medium + "/noise"), box = fresh(medium + "/box");
     NewStatement made("Texture", at);
     made.name(noise).name("float").name("noisecloud");
@@ -170,7 +170,7 @@ Translator::Density Translator::cloud(const Parameters& p, const std::string& me
 
 Translator::Density Translator::filed_density(const Parameters& p, const std::string& medium) {
     if (!p.given("filename")) p.fail("filename", "medium \"nanovdb\" needs a file");
-    const SourceLocation at = p.where("filename");
+    const SourceLocation& at = p.where("filename");
     const std::string texture = fresh(medium + "/density");
     add_in_medium(std::move(NewStatement("Texture", at)
                                 .name(texture)

@@ -120,7 +120,9 @@ TEST(PbrtImage, PowerAndIlluminanceHaveTheClosedForm) {
     const std::string wall = wall_of("Material \"diffuse\" \"rgb reflectance\" [1 1 1]\n");
     const auto y = [&](const std::string& light) {
         double sum = 0;
-        for (const Rgb& pixel : pbrt_image(options(camera) + light + wall, ".", 64))
+        std::string scene = options(camera);
+        scene.append(light).append(wall);
+        for (const Rgb& pixel : pbrt_image(scene, ".", 64))
             sum += double(luminance(pixel)) / 64;
         return sum;
     };
@@ -313,10 +315,12 @@ TEST(PbrtImage, OpacityOfVersion3CutsOut) {
     EXPECT_NEAR(luminance(by_texture.at(8 * 4 + 6)), 0, 1e-6);
     EXPECT_NEAR(luminance(by_texture.at(8 * 4 + 1)), 1, 1e-3);
     double sum = 0;
-    for (const Rgb& pixel : pbrt_image(
-             options("LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 0.1\n") +
-                 world + "\"rgb opacity\" [0.3 0.3 0.3]\nShape \"trianglemesh\" " + kWall,
-             folder.path().string(), 256))
+    std::string scene =
+        options("LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 0.1\n");
+    scene.append(world)
+        .append("\"rgb opacity\" [0.3 0.3 0.3]\nShape \"trianglemesh\" ")
+        .append(kWall);
+    for (const Rgb& pixel : pbrt_image(scene, folder.path().string(), 256))
         sum += double(luminance(pixel)) / 64;
     EXPECT_NEAR(sum, 0.7, 0.02);
 }
@@ -436,10 +440,12 @@ TEST(PbrtImage, ProjectionAndGoniometricHaveTheImagesIntensity) {
     for (const std::string light :
          {"projection\" \"float fov\" 40", "goniometric\" \"rgb I\" [1 1 1]"}) {
         SCOPED_TRACE(light);
-        const auto image =
-            pbrt_image(options(narrow) + "LightSource \"" + light +
-                           " \"string filename\" \"white.ppm\" \"float scale\" 8\n" + wall,
-                       folder.path().string());
+        std::string scene = options(narrow);
+        scene.append("LightSource \"")
+            .append(light)
+            .append(" \"string filename\" \"white.ppm\" \"float scale\" 8\n")
+            .append(wall);
+        const auto image = pbrt_image(scene, folder.path().string());
         EXPECT_NEAR(luminance(image.at(27)), 8 / (4 * kPi), 2e-3);
     }
 }

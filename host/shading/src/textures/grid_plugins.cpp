@@ -109,7 +109,7 @@ struct FiledGrid {
 };
 
 template <class T>
-FiledGrid<T> read_file(const ParameterReader& reader, const AssetContext& assets) {
+FiledGrid<T> filed(const ParameterReader& reader, const AssetContext& assets) {
     const std::string path =
         assets.resolve(reader.string("filename", ""), reader.where("filename"));
     FiledGrid<T> read;
@@ -136,7 +136,7 @@ FiledGrid<T> read_file(const ParameterReader& reader, const AssetContext& assets
 }
 
 template <class T>
-ListedGrid<T> read_list(const ParameterReader& reader) {
+ListedGrid<T> listed(const ParameterReader& reader) {
     ListedGrid<T> grid;
     grid.size = {reader.integer("nx", 1), reader.integer("ny", 1), reader.integer("nz", 1)};
     const auto numbers = reader.numbers("density");
@@ -193,8 +193,8 @@ typename TextureKind<T>::Factory densitygrid_plugin() {
                  space_mapping_parameters()}),
             [](const ParameterReader& reader, const AssetContext& assets, const Matrix& to_world) {
                 if (reader.given("filename"))
-                    return placed<FiledGrid<T>, T>(read_file<T>(reader, assets), reader, to_world);
-                return placed<ListedGrid<T>, T>(read_list<T>(reader), reader, to_world);
+                    return placed<FiledGrid<T>, T>(filed<T>(reader, assets), reader, to_world);
+                return placed<ListedGrid<T>, T>(listed<T>(reader), reader, to_world);
             }};
 }
 

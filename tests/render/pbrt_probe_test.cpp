@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 const fs::path kFolder = PBRT_PROBES;
 constexpr std::size_t kBlock = 8;
-constexpr int kPasses = 256;
+// Most are seen to be the same by fewer passes, as noise only adds to what differs.
+constexpr int kFewPasses = 64, kPasses = 256;
 // What blocks may differ by: noise of both images, and colours that are products of RGB here and of
 // spectra there.
 constexpr double kMedian = 0.015, kMost = 0.04;
@@ -61,6 +62,18 @@ Difference compare(const render::Image& ours, const render::Image& theirs) {
     }
     std::sort(differences.begin(), differences.end());
     return {differences.at(differences.size() / 2), differences.at(differences.size() * 95 / 100)};
+}
+
+/// Renders a probe, and compares its image with pbrt's.
+Difference compare_with_pbrt(const std::string& name, int passes) {
+    const render::Folder folder;
+    const render::Image ours = render::render(
+        kFolder / (name + ".pbrt"),
+        fmt::format("--integrator path --passes {} --threads 1 --seed 1", passes), folder);
+    const render::Image theirs = render::read_image(kFolder / (name + ".exr"));
+    if (ours.width != theirs.width || ours.height != theirs.height)
+        throw std::runtime_error("the images have different sizes");
+    return compare(ours, theirs);
 }
 
 /// Probes whose images differ, and why: lines "NAME: REASON".
@@ -108,17 +121,12 @@ void check(const std::vector<std::string>& beginnings) {
     for (const std::string& name : probes()) {
         if (!is_of(name, beginnings)) continue;
         SCOPED_TRACE(name);
-        const render::Folder folder;
-        const render::Image ours = render::render(
-            kFolder / (name + ".pbrt"),
-            fmt::format("--integrator path --passes {} --threads 1 --seed 1", kPasses), folder);
-        const render::Image image = render::read_image(kFolder / (name + ".exr"));
-        ASSERT_EQ(ours.width, image.width);
-        ASSERT_EQ(ours.height, image.height);
-        const Difference found = compare(ours, image);
+        const auto reason = known.find(name);
+        Difference found;
+        if (reason == known.end()) found = compare_with_pbrt(name, kFewPasses);
+        if (reason != known.end() || !found.is_small()) found = compare_with_pbrt(name, kPasses);
         std::cout << fmt::format("{}: median {:.2f} %, 95 % within {:.2f} %\n", name,
                                  100 * found.median, 100 * found.most);
-        const auto reason = known.find(name);
         if (reason == known.end()) {
             EXPECT_LE(found.median, kMedian);
             EXPECT_LE(found.most, kMost);

@@ -200,11 +200,13 @@ double Translator::index_of(const Parameters& p, std::string_view name) {
     return (double(rgb.x) + double(rgb.y) + double(rgb.z)) / 3;
 }
 
-NewStatement Translator::coated_diffuse(const std::string& name, Parameters& p) {
-    const Roughness rough = roughness(p, "", version_3_words_ ? 0.1 : 0);
-    NewStatement made = begun(name, "coateddiffuse", p.where());
-    set_look(made, "Kd", p, "reflectance", Rgb(0.5f));
-    made.set("float index", std::max(index_of(p, "eta"), 1.0), &p.where("eta"));
+double Translator::coat_thickness(Parameters& p) {
+    if (p.given("albedo") &&
+        (p.texture("albedo") ||
+         !is_black(spectra_.colour(p, "albedo", ColourOf::Surface, Rgb(0.0f)))))
+        p.leave_out("albedo", "the coat is clear");
+    for (const char* of_samples : {"albedo", "g", "nsamples"})
+        p.ignore(of_samples);
     double thickness = 0.01;
     if (const auto texture = p.texture("thickness")) {
         const auto constant = float_constants_.find(texture->text);
@@ -215,21 +217,22 @@ NewStatement Translator::coated_diffuse(const std::string& name, Parameters& p) 
     } else {
         thickness = p.number("thickness", thickness);
     }
-    made.set("float thickness", std::max(thickness, 0.0), &p.where("thickness"));
+    return std::max(thickness, 0.0);
+}
+
+NewStatement Translator::coated_diffuse(const std::string& name, Parameters& p) {
+    const Roughness rough = roughness(p, "", version_3_words_ ? 0.1 : 0);
+    NewStatement made = begun(name, "coateddiffuse", p.where());
+    set_look(made, "Kd", p, "reflectance", Rgb(0.5f));
+    made.set("float index", std::max(index_of(p, "eta"), 1.0), &p.where("eta"));
+    made.set("float thickness", coat_thickness(p), &p.where("thickness"));
     made.set("integer maxdepth", std::max(p.integer("maxdepth", 10), 2), &p.where("maxdepth"));
-    if (p.given("albedo") &&
-        (p.texture("albedo") ||
-         !is_black(spectra_.colour(p, "albedo", ColourOf::Surface, Rgb(0.0f)))))
-        p.leave_out("albedo", "the coat is clear");
-    p.ignore("albedo");
-    for (const char* known : {"nsamples", "g"})
-        p.ignore(known);
     set_roughness(made, rough, kLeastRoughness);
     return made;
 }
 
 NewStatement Translator::conductor(const std::string& name, Parameters& p,
-                                   const std::string& prefix) {
+                                   const std::string& prefix, double outside) {
     const Roughness rough = roughness(p, prefix, version_3_words_ ? 0.01 : 0);
     const std::string eta = prefix + "eta", k = prefix + "k";
     const bool by_reflectance = p.given("reflectance");
@@ -246,9 +249,13 @@ NewStatement Translator::conductor(const std::string& name, Parameters& p,
     const std::string fresnel = fresh(name + "/fresnel");
     NewStatement constants("Texture", p.where());
     constants.name(fresnel).name("fresnel");
+    const auto by = static_cast<float>(outside);
     if (by_reflectance) {
         constants.name("fresnelcolor");
         if (const auto named = p.texture("reflectance")) {
+            if (outside != 1)
+                warn(p.where("reflectance"),
+                     "a texture of a coated metal's reflectance is that of the metal in air");
             constants.set("texture Kr", named->text, &p.where("reflectance"));
         } else {
             // As pbrt: of index 1, with the extinction that reflects so much at normal incidence.
@@ -257,22 +264,44 @@ NewStatement Translator::conductor(const std::string& name, Parameters& p,
                 const float r = std::clamp(extinction[c], 0.0f, 0.9999f);
                 extinction[c] = 2 * std::sqrt(r / (1 - r));
             }
-            constants.set("color n", Rgb(1.0f)).set("color k", extinction, &p.where("reflectance"));
+            constants.set("color n", Rgb(1.0f) / by)
+                .set("color k", extinction / by, &p.where("reflectance"));
         }
-    } else if (preset && preset == other) {
+    } else if (preset && preset == other && outside == 1) {
         constants.name("preset").set("string name", *preset);
     } else {
         if (p.texture(eta) || p.texture(k))
             p.fail(eta, "a texture of a metal's index is not rendered");
         constants.name("fresnelcolor")
-            .set("color n", spectra_.colour(p, eta, ColourOf::Surface, Rgb(0.200f, 0.924f, 1.102f)))
-            .set("color k", spectra_.colour(p, k, ColourOf::Surface, Rgb(3.913f, 2.453f, 2.142f)));
+            .set("color n",
+                 spectra_.colour(p, eta, ColourOf::Surface, Rgb(0.200f, 0.924f, 1.102f)) / by)
+            .set("color k",
+                 spectra_.colour(p, k, ColourOf::Surface, Rgb(3.913f, 2.453f, 2.142f)) / by);
     }
     add(std::move(constants));
     NewStatement made = begun(name, rough.smooth() ? "mirror" : "metal2", p.where());
     made.set("texture fresnel", fresnel);
     if (!rough.smooth()) set_facets(made, rough);
     return made;
+}
+
+NewStatement Translator::coated_conductor(const std::string& name, Parameters& p) {
+    const double index = std::max(index_of(p, "interface.eta"), 1.0);
+    const std::string metal = fresh(name + "/conductor"), coat = fresh(name + "/interface"),
+                      both = fresh(name + "/coated");
+    add(conductor(metal, p, "conductor.", index));
+    const Roughness rough = roughness(p, "interface.", 0);
+    NewStatement interface = begun(coat, rough.smooth() ? "glass" : "roughglass", p.where());
+    interface.set("float index", index, &p.where("interface.eta"));
+    if (!rough.smooth()) set_facets(interface, rough);
+    add(std::move(interface));
+    add(std::move(begun(both, "layered", p.where())
+                      .set("string namedmaterial1", coat)
+                      .set("string namedmaterial2", metal)
+                      .set("float thickness", coat_thickness(p), &p.where("thickness"))));
+    p.ignore("maxdepth");
+    // Either side is coated.
+    return std::move(begun(name, "doubleside", p.where()).set("string frontnamedmaterial", both));
 }
 
 NewStatement Translator::dielectric(const std::string& name, Parameters& p) {
@@ -456,20 +485,9 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
     } else if (type == "coateddiffuse") {
         made = coated_diffuse(name, p);
     } else if (type == "conductor") {
-        made = conductor(name, p, "");
+        made = conductor(name, p, "", 1);
     } else if (type == "coatedconductor") {
-        const std::string base = fresh(name + "/conductor");
-        add(conductor(base, p, "conductor."));
-        const Roughness rough = roughness(p, "interface.", 0);
-        made = begun(name, "glossycoating", p.where());
-        made.set("string basematerial", base).set("color Ks", Rgb(1.0f));
-        made.set("float index", std::max(index_of(p, "interface.eta"), 1.0));
-        set_roughness(made, rough, kLeastRoughness);
-        for (const char* ignored : {"thickness", "maxdepth", "nsamples", "g", "albedo"})
-            p.ignore(ignored);
-        tell_once(p.where(),
-                  "material \"coatedconductor\" is not rendered with light that goes to and fro "
-                  "under its coat: \"glossycoating\" over the metal is used");
+        made = coated_conductor(name, p);
     } else if (type == "dielectric") {
         made = dielectric(name, p);
     } else if (type == "thindielectric") {

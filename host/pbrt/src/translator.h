@@ -140,9 +140,13 @@ class Translator {
     /// Writes `target` ("Kd") as the colour or texture that `name` gives.
     void set_look(NewStatement& made, const char* target, const Parameters& parameters,
                   std::string_view name, const Rgb& fallback, double factor = 1);
+    /// "thickness" of a clear coat.
+    double coat_thickness(Parameters& parameters);
     NewStatement coated_diffuse(const std::string& name, Parameters& parameters);
+    /// `outside`: the index of what the metal lies in.
     NewStatement conductor(const std::string& name, Parameters& parameters,
-                           const std::string& prefix);
+                           const std::string& prefix, double outside);
+    NewStatement coated_conductor(const std::string& name, Parameters& parameters);
     NewStatement dielectric(const std::string& name, Parameters& parameters);
     NewStatement mix(const std::string& name, Parameters& parameters);
     NewStatement hair(const std::string& name, Parameters& parameters);

@@ -19,6 +19,10 @@ Transport adjoint(Transport transport) {
 
 }  // namespace
 
+float between_layers(float thickness, float cosine) {
+    return std::exp(-thickness / std::max(std::abs(cosine), kMinCosine));
+}
+
 /// A walk about to meet a layer.
 struct LayeredBsdf::Walk {
     int layer = 0;
@@ -53,6 +57,8 @@ bool LayeredBsdf::advance(Walk& walk, HashedNumbers& numbers, Transport transpor
     }
     walk.out = -sample.wi;
     walk.layer += sample.wi.dot(ng_) > 0 ? -1 : 1;
+    if (stack_.thickness > 0 && walk.layer >= 0 && walk.layer < stack_.count)
+        walk.throughput *= between_layers(stack_.thickness, walk.out.dot(ns_));
     return true;
 }
 

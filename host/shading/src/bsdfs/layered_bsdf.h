@@ -10,6 +10,9 @@
 
 namespace lxs::shading {
 
+/// Share of light that gets from one layer to the next.
+float between_layers(float thickness, float cosine);
+
 /// The value of a stack has no closed form. It is estimated by two random walks, one from each
 /// direction, that are joined; their numbers are hashed from the two directions and the place, so
 /// that asking twice gives the same answer, whose mean over neighbouring questions is the exact
@@ -27,6 +30,7 @@ class LayeredBsdf final : public Bsdf {
         std::array<const Bsdf*, kMaxLayers> layers{};
         int count = 0;
         bool transmits = false;  ///< light may get through all of them
+        float thickness = 0;     ///< exp(-thickness / cosine) of the light gets to the next layer
     };
     /// `place` tells points apart.
     LayeredBsdf(const Stack& stack, const Vec3& place, const Vec3& ng, const Vec3& ns);

@@ -1,5 +1,6 @@
 // Material "layered": up to four named materials on top of each other.
 #include <algorithm>
+#include <cmath>
 
 #include "bsdfs/layered_bsdf.h"
 #include "bsdfs/mix_bsdf.h"
@@ -55,7 +56,7 @@ MaterialFacts Layer::facts() const {
 
 class LayeredMaterial final : public Material {
   public:
-    explicit LayeredMaterial(std::vector<Layer> layers);
+    LayeredMaterial(std::vector<Layer> layers, float thickness);
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override;
@@ -64,15 +65,18 @@ class LayeredMaterial final : public Material {
         Rgb share(1.0f);
         for (const Layer& layer : layers_)
             share *= layer.straight_transmittance(point, direction);
-        return share;
+        const float gap = between_layers(thickness_, direction.dot(point.ns));
+        return share * std::pow(gap, static_cast<float>(layers_.size() - 1));
     }
 
   private:
     std::vector<Layer> layers_;
+    float thickness_;
     MaterialFacts facts_;
 };
 
-LayeredMaterial::LayeredMaterial(std::vector<Layer> layers) : layers_(std::move(layers)) {
+LayeredMaterial::LayeredMaterial(std::vector<Layer> layers, float thickness)
+    : layers_(std::move(layers)), thickness_(thickness) {
     facts_.transmits = facts_.straight = true;
     for (const Layer& layer : layers_) {
         const MaterialFacts facts = layer.facts();
@@ -94,6 +98,7 @@ const Bsdf* LayeredMaterial::scatter(const ShadingPoint& point,
     if (layers_.size() == 1) return layers_.front().scatter(point, memory);
     LayeredBsdf::Stack stack;
     stack.transmits = facts_.transmits;
+    stack.thickness = thickness_;
     for (const Layer& layer : layers_)
         stack.layers[stack.count++] = layer.scatter(point, memory);
     return place_bsdf<LayeredBsdf>(memory, stack, point.texture.p, point.ng, point.ns);
@@ -110,7 +115,8 @@ std::shared_ptr<const Material> create_layered(const ParameterReader& reader,
                           read_limited(reader, assets, kOpacityNames[i], 1, 0, 1)});
     }
     if (layers.empty()) reader.fail("namedmaterial1", "layered: \"namedmaterial1\" is missing");
-    return std::make_shared<LayeredMaterial>(std::move(layers));
+    const float thickness = std::max(0.0f, static_cast<float>(reader.number("thickness", 0)));
+    return std::make_shared<LayeredMaterial>(std::move(layers), thickness);
 }
 
 }  // namespace
@@ -123,6 +129,8 @@ MaterialFactory layered_plugin() {
         own.push_back({kOpacityNames[i], ParameterType::FloatTexture, "1",
                        "share of light that meets the layer, 0 to 1; the rest passes straight"});
     }
+    own.push_back({"thickness", ParameterType::Float, "0",
+                   "of the gaps: exp(-thickness / cosine) of the light gets to the next layer", 0});
     return {with_common_parameters(std::move(own)), &create_layered};
 }
 

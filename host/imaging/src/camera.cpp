@@ -7,6 +7,7 @@
 #include "aperture.h"
 #include "camera_settings.h"
 #include "lxs/imaging/imaging.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -167,36 +168,70 @@ class OrthographicCamera final : public LensCamera {
     double pixel_volume_;
 };
 
-/// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
-class EnvironmentCamera final : public LensCamera {
+/// Where the directions around a camera lie in its image.
+class EnvironmentCamera : public LensCamera {
   public:
     EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame)
-        : LensCamera(settings, frame),
-          frame_(frame),
-          longitude_step_(2 * std::numbers::pi / frame.x_resolution),
-          latitude_step_(std::numbers::pi / frame.y_resolution) {}
+        : LensCamera(settings, frame), frame_(frame) {}
 
-    CameraRay generate(const CameraSample& sample, float time) const override {
-        const double longitude = (sample.film.x + frame_.x) * longitude_step_ - std::numbers::pi;
-        const double polar = (sample.film.y + frame_.y) * latitude_step_;
-        const double sine = std::sin(polar);
-        const Vec3d step =
-            to_world(sine * std::sin(longitude), std::cos(polar), sine * std::cos(longitude));
+    CameraRay generate(const CameraSample& sample, float time) const final {
+        const View view = look((sample.film.x + frame_.x) / frame_.x_resolution,
+                               (sample.film.y + frame_.y) / frame_.y_resolution);
+        const Vec3d step = to_world(view.direction.x, view.direction.y, view.direction.z);
         const double length = step.length();
         CameraRay result = clipped_ray(position(), step, length, time);
-        // At the poles a pixel is no narrower than the sine half a pixel away makes it.
-        const double solid_angle =
-            longitude_step_ * latitude_step_ * std::max(std::abs(sine), latitude_step_ / 2);
-        result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
+        result.spread = static_cast<float>(0.5 * std::sqrt(view.solid_angle));
         result.width = static_cast<float>(result.spread * settings().hither * length);
         result.depth = static_cast<float>(settings().hither * length);
         result.depth_per_distance = 1;
         return result;
     }
 
+  protected:
+    struct View {
+        Vec3d direction;         ///< camera space, unit
+        double solid_angle = 0;  ///< of a pixel
+    };
+    /// At a place of the image, both coordinates in [0, 1], the first row at 0.
+    virtual View look(double x, double y) const = 0;
+    const FilmFrame& frame() const { return frame_; }
+
   private:
     FilmFrame frame_;
+};
+
+/// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
+class EquirectangularCamera final : public EnvironmentCamera {
+  public:
+    EquirectangularCamera(const CameraSettings& settings, const FilmFrame& frame)
+        : EnvironmentCamera(settings, frame),
+          longitude_step_(2 * std::numbers::pi / frame.x_resolution),
+          latitude_step_(std::numbers::pi / frame.y_resolution) {}
+
+  private:
+    View look(double x, double y) const override {
+        const double longitude = (2 * x - 1) * std::numbers::pi, polar = y * std::numbers::pi;
+        const double sine = std::sin(polar);
+        // At the poles a pixel is no narrower than the sine half a pixel away makes it.
+        return {Vec3d(sine * std::sin(longitude), std::cos(polar), sine * std::cos(longitude)),
+                longitude_step_ * latitude_step_ * std::max(std::abs(sine), latitude_step_ / 2)};
+    }
+
     double longitude_step_, latitude_step_;
+};
+
+/// A sphere unfolded as an octahedron, +y in the middle and forward in the middle of the lower
+/// edge.
+class EqualAreaCamera final : public EnvironmentCamera {
+  public:
+    using EnvironmentCamera::EnvironmentCamera;
+
+  private:
+    View look(double x, double y) const override {
+        const Vec3d w = square_to_equal_area_sphere({x, y});
+        return {Vec3d(w.x, w.z, w.y),
+                4 * std::numbers::pi / (double(frame().x_resolution) * frame().y_resolution)};
+    }
 };
 
 std::unique_ptr<SceneCamera> make_still_camera(const CameraSettings& settings,
@@ -205,7 +240,9 @@ std::unique_ptr<SceneCamera> make_still_camera(const CameraSettings& settings,
         case Projection::Orthographic:
             return std::make_unique<OrthographicCamera>(settings, frame);
         case Projection::Environment:
-            return std::make_unique<EnvironmentCamera>(settings, frame);
+            if (settings.mapping == SphereMapping::EqualArea)
+                return std::make_unique<EqualAreaCamera>(settings, frame);
+            return std::make_unique<EquirectangularCamera>(settings, frame);
         case Projection::Perspective:
             break;
     }

@@ -59,9 +59,21 @@ constexpr ParameterDeclaration kPerspective[] = {
      .choices = kLensDistributions},
 };
 
+constexpr std::array<std::string_view, 2> kSphereMappings{"equirectangular", "equalarea"};
+constexpr ParameterDeclaration kEnvironment[] = {
+    {.name = "mapping",
+     .type = String,
+     .default_text = "equirectangular",
+     .doc = "Longitude and latitude with forward in the middle; or (not LuxRender's) an equal-area "
+            "octahedral square, +y in the middle and forward in the middle of its lower edge.",
+     .choices = kSphereMappings},
+};
+
 std::vector<ParameterDeclaration> declarations(Projection projection) {
     std::vector<ParameterDeclaration> all(std::begin(kCommon), std::end(kCommon));
-    if (projection != Projection::Environment) {
+    if (projection == Projection::Environment) {
+        all.insert(all.end(), std::begin(kEnvironment), std::end(kEnvironment));
+    } else {
         all.insert(all.end(), std::begin(kLens), std::end(kLens));
     }
     if (projection == Projection::Perspective) {
@@ -177,7 +189,10 @@ CameraSettings read_camera_settings(const SceneContents& contents, const FilmFra
     settings.screen = read_screen(reader, frame);
     read_depths(reader, settings);
     read_shutter(reader, settings);
-    if (settings.projection != Projection::Environment) read_lens(reader, settings);
+    if (settings.projection != Projection::Environment)
+        read_lens(reader, settings);
+    else if (reader.string("mapping", "equirectangular") == "equalarea")
+        settings.mapping = SphereMapping::EqualArea;
     if (settings.projection == Projection::Perspective) read_perspective(reader, settings);
     return settings;
 }

@@ -11,9 +11,13 @@ namespace lxs {
 
 enum class Projection : std::uint8_t { Perspective, Orthographic, Environment };
 
+/// Where the directions of an environment camera lie in its image.
+enum class SphereMapping : std::uint8_t { Equirectangular, EqualArea };
+
 /// Camera space: x right, y up, z forward (left-handed, as LookAt of the scene language makes it).
 struct CameraSettings {
     Projection projection = Projection::Perspective;
+    SphereMapping mapping = SphereMapping::Equirectangular;
     Matrix to_world;                             ///< camera to world
     Motion motion;                               ///< of to_world; empty: stands still
     double fov = 90;                             ///< degrees, of the screen from -1 to 1

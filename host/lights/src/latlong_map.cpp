@@ -171,16 +171,28 @@ std::vector<Rgb> LatLongMap::row_means() const {
     return means;
 }
 
-Rgb LatLongMap::fluence() const {
+Rgb LatLongMap::over_bands(const std::function<double(double from, double to)>& band) const {
     Imath::V3d sum(0.0);
     const double step = std::numbers::pi / static_cast<double>(height_);
     for (std::size_t y = 0; y < height_; ++y) {
-        const double band =
-            std::cos(step * static_cast<double>(y)) - std::cos(step * static_cast<double>(y + 1));
+        const double weight =
+            band(step * static_cast<double>(y), step * static_cast<double>(y + 1));
         for (std::size_t x = 0; x < width_; ++x)
-            sum += Imath::V3d(pixels_[y * width_ + x]) * band;
+            sum += Imath::V3d(pixels_[y * width_ + x]) * weight;
     }
     return Rgb(sum * (2 * std::numbers::pi / static_cast<double>(width_)));
+}
+
+Rgb LatLongMap::fluence() const {
+    return over_bands([](double from, double to) { return std::cos(from) - std::cos(to); });
+}
+
+Rgb LatLongMap::irradiance() const {
+    const auto below = [](double polar) {
+        const double sine = std::sin(std::min(polar, std::numbers::pi / 2));
+        return sine * sine / 2;
+    };
+    return over_bands([&](double from, double to) { return below(to) - below(from); });
 }
 
 }  // namespace lxs

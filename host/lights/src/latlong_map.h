@@ -53,11 +53,15 @@ class LatLongMap {
     std::vector<Rgb> row_means() const;
     /// Integral of the map over all directions.
     Rgb fluence() const;
+    /// Integral of the map times the cosine over the hemisphere around +z, the image's top.
+    Rgb irradiance() const;
 
     /// Of a column within one width of the image, which wraps around; rows stop at the poles.
     const Rgb& pixel(std::ptrdiff_t x, std::ptrdiff_t y) const;
 
   private:
+    /// Sum of the pixels times `band` of their polar angles, times the azimuth that they span.
+    Rgb over_bands(const std::function<double(double from, double to)>& band) const;
     /// Mean luminance of the bilinear interpolant over one pixel.
     float mean_luminance(std::ptrdiff_t x, std::ptrdiff_t y) const;
 

@@ -81,6 +81,10 @@ void make_infinite(const LightStatement& s, Lights& lights) {
     } else {
         map = map.filtering(s.given_color());
     }
+    if (const double wanted = s.number("illuminance", 0); wanted > 0) {
+        const double found = luminance(map.irradiance());
+        if (found > 0) gain *= static_cast<float>(wanted / found);
+    }
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
                                                          std::move(map), gain));
 }

@@ -171,6 +171,11 @@ Declarations infinite_parameters() {
              .default_text = "false",
              .doc = "The image's colours shine as they are, where LuxRender turns saturated ones a "
                     "little. Not LuxRender's."},
+            {.name = "illuminance",
+             .default_text = "0",
+             .doc = "Of a patch that looks along +z of the image, which is scaled to give as much; "
+                    "gain and L are factors on it. 0: the image's values count. Not LuxRender's.",
+             .minimum = 0},
             kMapGamma,
             kMapCurve,
             kMapResolution,

@@ -13,6 +13,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// Lumens, of which the profile's own values say nothing; `scale` is a factor on them.
+void set_power(NewStatement& made, double scale, double power) {
+    if (power > 0) made.set("float gain", scale).set("float power", power).set("float efficacy", 1);
+}
+
 /// A point parameter as numbers.
 Numbers coordinates(const Vec3& p) {
     return {p.x, p.y, p.z};
@@ -68,7 +73,7 @@ void Translator::light_source(Statement& statement) {
         p.rename("mapname", "filename");
         const std::string file = p.text("filename", "");
         if (!file.empty()) {
-            if (power > 0) p.leave_out("power", "the image's values count");
+            set_power(made, scale, power);
             made.set("string mapname", file, &p.where("filename"));
             made.set("string mapping", latlong ? "latlong" : "equalarea");
             made.set("bool plainvalues", "true");
@@ -80,8 +85,8 @@ void Translator::light_source(Statement& statement) {
         made.name("projection");
         p.rename("mapname", "filename");
         if (!p.given("filename")) p.fail("filename", "light \"projection\" needs an image");
-        if (power > 0) p.leave_out("power", "the image's values count");
         set_emission(made, p, "I", scale);
+        set_power(made, scale, power);
         const std::string file = p.text("filename", "");
         made.set("string mapname", file, &p.where("filename"));
         made.set("bool plainvalues", "true");
@@ -130,7 +135,8 @@ void Translator::infinite_light(NewStatement& made, Parameters& p, double scale,
     }
     if (!latlong && p.given("L"))
         p.fail("L", "an infinite light takes either \"L\" or \"filename\"");
-    if (illuminance > 0) p.leave_out("illuminance", "the image's values count");
+    // pbrt takes half of the solid angle that a texel has.
+    if (illuminance > 0) made.set("float illuminance", 2 * illuminance, &p.where("illuminance"));
     p.rename("mapname", "filename");
     const std::string file = p.text("filename", "");
     if (latlong) {

@@ -155,7 +155,13 @@ void Translator::write_camera(Options& options) {
     if (std::find(known_names.begin(), known_names.end(), type) == known_names.end())
         throw InputError(at, unknown_name_message("camera", type, known_names));
     const bool round = type == "spherical" || type == "environment";
-    if (round) {
+    static const std::vector<std::string> mappings{"equalarea", "equirectangular"};
+    const std::string mapping = type == "spherical" ? camera.text("mapping", "equalarea") : "";
+    if (type == "spherical" &&
+        std::find(mappings.begin(), mappings.end(), mapping) == mappings.end())
+        camera.fail("mapping", unknown_name_message("mapping", mapping, mappings));
+    const bool equal_area = mapping == "equalarea";
+    if (round && !equal_area) {
         // Our panorama has its middle, pbrt's a quarter along z, and goes the other way around.
         const Matrix turned(0, 0, -1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1);
         for (Matrix& transform : camera_transforms_)
@@ -184,10 +190,7 @@ void Translator::write_camera(Options& options) {
             camera.given("halffov") ? 2 * camera.number("halffov", 45) : camera.number("fov", 90);
         made.set("float fov", fov, &camera.where("fov"));
     }
-    if (type == "spherical" && camera.text("mapping", "equalarea") == "equalarea")
-        warn(camera.where("mapping"),
-             "the spherical camera's mapping \"equalarea\" is not rendered: "
-             "\"equirectangular\" is used");
+    if (equal_area) made.set("string mapping", mapping, &camera.where("mapping"));
     if (type == "realistic") {
         const double focal = focal_length_of(camera.text("lensfile", ""));
         const double width = options.film.integer("xresolution", 1280);

@@ -90,7 +90,9 @@ void Translator::set_mapping(NewStatement& made, Parameters& p, bool of_image) {
         p.fail("mapping", unknown_name_message("mapping", mapping, known_mappings));
     const double su = p.number("uscale", 1), sv = p.number("vscale", 1);
     const double du = p.number("udelta", 0), dv = p.number("vdelta", 0);
-    made.set("string mapping", mapping, &p.where("mapping"));
+    // Along u pbrt's spherical mapping has the polar angle.
+    made.set("string mapping", mapping == "spherical" ? "polar" : mapping, &p.where("mapping"));
+    if (mapping == "cylindrical") made.set("float turnstart", 0.5);
     if (mapping == "planar") {
         // Along the vectors in the texture's space, which ours measures in the world's.
         Vec3 v1 = p.point("v1").value_or(Vec3(1, 0, 0)), v2 = p.point("v2").value_or(Vec3(0, 1, 0));
@@ -115,11 +117,6 @@ void Translator::set_mapping(NewStatement& made, Parameters& p, bool of_image) {
         made.set("float udelta", s).set("float vdelta", of_image ? 1 - t : t);
         return;
     }
-    if (mapping != "uv" && !version_3_)
-        warn(p.where("mapping"),
-             fmt::format("mapping \"{}\" goes around the axis along u here, along v "
-                         "in pbrt",
-                         mapping));
     made.set("float uscale", su, &p.where("uscale")).set("float udelta", du, &p.where("udelta"));
     // The image's rows go down where v goes up.
     made.set("float vscale", of_image ? -sv : sv, &p.where("vscale"));
@@ -158,6 +155,14 @@ void Translator::image_texture(NewStatement& made, Parameters& p, bool is_float)
         p.ignore(known);
     if (!is_float) made.set("bool plaincolors", "true");
     set_mapping(made, p, true);
+}
+
+Strings Translator::along_normal(const Vec3& direction) const {
+    Imath::V3d world;
+    state_.transforms[0].multDirMatrix(Imath::V3d(direction), world);
+    world.normalize();
+    return {"normal", fmt::format("vector dot_product r0 {} {} {}", world.x, world.y, world.z),
+            "math absolute r1 0 0"};
 }
 
 void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
@@ -230,16 +235,20 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
         }
         add(std::move(made));
     } else if (type == "mix" || type == "directionmix") {
+        std::string share;
         if (type == "directionmix") {
-            p.ignore("dir");
-            warn(at,
-                 "texture \"directionmix\" is not rendered: both of its parts in equal shares are "
-                 "used");
+            share = fresh(name.text + "/share");
+            begin(share, true, "nodes");
+            made.set_list("string program", along_normal(p.point("dir").value_or(Vec3(0, 1, 0))));
+            add(std::move(made));
         }
         begin(name.text, is_float, "mix");
         set_term(made, "tex1", p, "tex1", is_float, 0);
         set_term(made, "tex2", p, "tex2", is_float, 1);
-        set_term(made, "amount", p, "amount", true, 0.5);
+        if (share.empty())
+            set_term(made, "amount", p, "amount", true, 0.5);
+        else
+            made.set("texture amount", share);
         add(std::move(made));
     } else if (type == "checkerboard") {
         const std::string of = pattern("checkerboard");

@@ -167,6 +167,9 @@ class Translator {
     void texture(Statement& statement);
     void write_texture(const Name& name, bool is_float, Parameters& parameters);
     void image_texture(NewStatement& made, Parameters& parameters, bool is_float);
+    /// Program of a texture "nodes": the cosine, >= 0, between the normal and a direction of the
+    /// texture's space.
+    Strings along_normal(const Vec3& direction) const;
     void set_mapping(NewStatement& made, Parameters& parameters, bool of_image);
     void set_term(NewStatement& made, const char* target, const Parameters& parameters,
                   std::string_view name, bool is_float, double fallback);

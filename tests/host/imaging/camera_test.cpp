@@ -199,6 +199,30 @@ TEST(EnvironmentCamera, CoversTheSphereWithForwardInTheCentre) {
     EXPECT_NEAR(sum, 4 * std::numbers::pi, 0.01);
 }
 
+// As pbrt-v4's spherical camera, whose y axis is up.
+TEST(EnvironmentCamera, EqualAreaPixelsSeeAsMuchEach) {
+    CameraScene scene("environment", {text("mapping", "equalarea")});
+    const auto camera = scene.camera();
+    expect_near(ray_at(*camera, 100, 50).ray.direction, Vec3(0, 0, 1));
+    expect_near(ray_at(*camera, 100, 100).ray.direction, Vec3(0, 1, 0));
+    expect_near(ray_at(*camera, 200, 50).ray.direction, Vec3(1, 0, 0));
+    expect_near(ray_at(*camera, 100, 0).ray.direction, Vec3(0, -1, 0));
+    expect_near(ray_at(*camera, 200, 100).ray.direction, Vec3(0, 0, -1));
+    const double side = 2.0 * ray_at(*camera, 33, 44).spread;
+    EXPECT_NEAR(200 * 100 * side * side, 4 * std::numbers::pi, 1e-4);
+    // Moments of directions are those of a sphere.
+    double squares = 0, fourths = 0;
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            const float z = ray_at(*camera, float(x) + 0.5f, float(y) + 0.5f).ray.direction.z;
+            squares += double(z) * z;
+            fourths += std::pow(double(z), 4);
+        }
+    }
+    EXPECT_NEAR(squares / 20000, 1 / 3.0, 1e-3);
+    EXPECT_NEAR(fourths / 20000, 1 / 5.0, 1e-3);
+}
+
 TEST(Camera, GivesTimeShutterAndMedia) {
     CameraScene scene("perspective", {real("shutteropen", 0.25), real("shutterclose", 0.5)});
     const auto camera = scene.camera();

@@ -72,6 +72,20 @@ TEST(InfiniteLight, GammaAndMissingFile) {
     EXPECT_THROW(make_one("infinite", {text("mapname", "/nowhere/no.exr")}), InputError);
 }
 
+TEST(InfiniteLight, AnIlluminanceIsThatOfALyingPatch) {
+    const auto light =
+        make_one("infinite", {text("mapname", probe_image()), numbers("float", "illuminance", {7}),
+                              numbers("float", "gain", {2})});
+    double sum = 0;
+    constexpr int kRows = 400;  // by equal squares of the sine: each as much of the cosine
+    for (int y = 0; y < kRows; ++y) {
+        const double polar = std::asin(std::sqrt((y + 0.5) / kRows));
+        for (int x = 0; x < kRows; ++x)
+            sum += double(luminance(light->escaped(direction_at((x + 0.5) / kRows, polar / kPi))));
+    }
+    EXPECT_NEAR(sum * kPi / (double(kRows) * kRows), 2 * 7, 0.02 * 14);
+}
+
 TEST(LatLongMap, BlackAndBadPixels) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const LatLongMap bad(2, 1, {Rgb(nan, -1, 2), Rgb(std::numeric_limits<float>::infinity())});

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "shading_fixture.h"
 
@@ -60,6 +61,18 @@ TEST_F(TextureMappingTest, SphericalMeasuresAnglesInTheTexturesSpace) {
 TEST_F(TextureMappingTest, CylindricalKeepsTheHeight) {
     expect_st(st_at({10, 5, 0.5f}, {text("mapping", "cylindrical")}, moved_and_doubled()),
               {0.25f, 0.25f});
+}
+
+TEST_F(TextureMappingTest, PolarHasTheAngleFromTheAxisFirst) {
+    expect_st(st_at({10, -5, 5}, {text("mapping", "polar")}, moved_and_doubled()), {0.25f, 0.75f});
+}
+
+TEST_F(TextureMappingTest, TurnsBeginWhereTheyAreToldTo) {
+    const auto begun = number("turnstart", 0.5);
+    expect_st(st_at({-1, 1e-3f, 2}, {text("mapping", "cylindrical"), begun}),
+              {1 - 1e-3f / (2 * std::numbers::pi_v<float>), 2});
+    expect_st(st_at({0, 1, 0}, {text("mapping", "spherical"), begun}), {0.75f, 0.5f});
+    expect_st(st_at({0, -1, 0}, {text("mapping", "spherical"), begun}), {0.25f, 0.5f});
 }
 
 TEST_F(TextureMappingTest, PlanarProjectsWorldPositions) {

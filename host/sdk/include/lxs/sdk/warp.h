@@ -39,6 +39,20 @@ inline Vec3 direction_on_sphere(int i, int count) {
             static_cast<float>(z)};
 }
 
+/// Area-preserving map of the square onto the sphere, unfolded as an octahedron: +z in the middle,
+/// -z at the corners. Source: Clarberg 2008, "Fast equal-area mapping of the (hemi)sphere using
+/// SIMD".
+inline Imath::V3d square_to_equal_area_sphere(const Imath::V2d& u) {
+    const double x = 2 * u.x - 1, y = 2 * u.y - 1;
+    const double from_diagonal = 1 - (std::abs(x) + std::abs(y));
+    const double r = 1 - std::abs(from_diagonal);
+    const double turn = r > 0 ? (std::abs(y) - std::abs(x)) / r + 1 : 1;
+    const double phi = turn * std::numbers::pi / 4;
+    const double sine = r * std::sqrt(std::max(0.0, 2 - r * r));
+    return {std::copysign(std::cos(phi), x) * sine, std::copysign(std::sin(phi), y) * sine,
+            std::copysign(1 - r * r, from_diagonal)};
+}
+
 /// Direction about +z with density cos / pi (Malley's method).
 inline Vec3 square_to_cosine_hemisphere(const Vec2& u) {
     const Vec2 d = square_to_concentric_disk(u);

@@ -1,4 +1,4 @@
-"""Turned things on tables: a goblet and a bowl of glass, a vase to be silvered, a finger ring."""
+"""Turned things on tables: a goblet and a tumbler of glass, a vase to be silvered, a finger ring."""
 
 from revolution import arc, revolve, smooth
 
@@ -39,5 +39,27 @@ def ring():
     ], 72)
 
 
+def tumbler():
+    """A tumbler, 1 high, filled to 0.72, as the surfaces of a glass of water: glass against air,
+    glass against water, water against air. Normals look out of the glass, and up from the water."""
+    inside = [(0.4, 0.72), (0.392, 0.6), (0.374, 0.36), (0.358, 0.16)]
+    return {
+        "tumbler.ply": revolve([
+            [(0.0, 0.0), (0.16, 0.004), (0.32, 0.0)],
+            smooth([(0.32, 0.0), (0.348, 0.008), (0.366, 0.04), (0.394, 0.36), (0.43, 0.8),
+                    (0.442, 0.984)], 4)
+            + arc((0.431, 0.984), 0.011, 0, 180, 6)[1:]
+            + smooth([(0.42, 0.984), (0.409, 0.84), inside[0]], 4)[1:],
+        ], 64),
+        "tumbler-wet.ply": revolve([
+            smooth(inside + [(0.33, 0.112), (0.25, 0.096), (0.0, 0.09)], 4),
+        ], 64),
+        "tumbler-water.ply": revolve([
+            smooth([inside[0], (0.388, 0.708), (0.36, 0.703), (0.2, 0.7), (0.0, 0.7)], 4),
+        ], 64),
+    }
+
+
 def files():
-    return {f"{make.__name__}.ply": make().ply() for make in (goblet, vase, ring)}
+    single = {f"{make.__name__}.ply": make() for make in (goblet, vase, ring)}
+    return {name: mesh.ply() for name, mesh in (single | tumbler()).items()}

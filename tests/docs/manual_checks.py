@@ -251,20 +251,25 @@ def tables_of(text):
 
 
 def figures(manual):
-    """Every figure of README.md's table is the one of its scene and method in the first table of
-    docs/measured/results.md."""
-    results = manual.pages.get(manual.docs / 'measured/results.md')
+    """Every figure of README.md's tables of scenes is the one of its scene and method in the first
+    table of a page of docs/measured that has all of these methods."""
+    methods = ('path', 'sppm', 'aips', 'pbrt path', 'pbrt bdpt', 'pbrt sppm')
     readme = manual.all_pages.get(manual.root / 'README.md')
-    measured = (tables_of(results.text) if results else []) or [{}]
+    measured = {}
+    for name in ('results', 'other-renderers'):
+        page = manual.pages.get(manual.docs / f'measured/{name}.md')
+        for table in tables_of(page.text)[:1] if page else []:
+            measured[f'docs/measured/{name}.md'] = table
     for table in tables_of(readme.text) if readme else []:
+        wanted = {column for cells in table.values() for column in cells} & set(methods)
+        page, known = next(((name, rows) for name, rows in measured.items()
+                            if all(wanted <= set(cells) for cells in rows.values())),
+                           ('docs/measured', {}))
         for scene, cells in table.items():
-            for method, figure in cells.items():
-                if method not in ('path', 'sppm', 'aips'):
-                    continue
-                known = measured[0].get(scene, {}).get(method)
-                if figure != known:
-                    yield (f'README.md: {scene}, {method}: {figure}, but {known} in '
-                           'docs/measured/results.md')
+            for method in sorted(wanted):
+                figure = known.get(scene, {}).get(method)
+                if cells.get(method) != figure:
+                    yield f'README.md: {scene}, {method}: {cells.get(method)}, but {figure} in {page}'
 
 
 CHECKS = {check.__name__: check

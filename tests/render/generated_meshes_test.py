@@ -87,6 +87,12 @@ class GeneratedMeshes(unittest.TestCase):
                 self.assertEqual(open_edges(faces), [])
                 self.assertGreater(signed_volume(faces), 0)
 
+    def test_tumbler_is_closed_by_the_wall_that_water_wets(self):
+        faces = [face for name in ("tumbler", "tumbler-wet") for face in
+                 read_ply((SCENES / f"meshes/{name}.ply").read_text(encoding="ascii"))[1]]
+        self.assertEqual(open_edges(faces), [])
+        self.assertGreater(signed_volume(faces), 0)
+
     def test_files_are_small(self):
         for path in (SCENES / "meshes").iterdir():
             self.assertLess(path.stat().st_size, 100_000, path.name)

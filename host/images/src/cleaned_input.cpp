@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "checked_input.h"
-#include "lxs/spectrum/srgb_curve.h"
 
 namespace lxs {
 namespace {
 
 constexpr const char* kPathAttribute = "lxs:path";
-constexpr const char* kDecodedAttribute = "lxs:decoded";
+constexpr const char* kGammaAttribute = "lxs:gamma";
+constexpr const char* kSrgbAttribute = "lxs:srgb";
 
 }  // namespace
 
-OIIO::ImageSpec CleanedInput::configuration(const std::string& path, bool decoded) {
+OIIO::ImageSpec CleanedInput::configuration(const std::string& path, const StoredCurve& curve) {
     OIIO::ImageSpec configuration;
-    configuration.attribute(kDecodedAttribute, decoded ? 1 : 0);
+    configuration.attribute(kGammaAttribute, curve.gamma);
+    configuration.attribute(kSrgbAttribute, curve.srgb ? 1 : 0);
     configuration.attribute(kPathAttribute, path);
     return configuration;
 }
@@ -39,7 +40,8 @@ bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
         errorfmt("{}", error.what());
         return false;
     }
-    decoded_ = configuration.get_int_attribute(kDecodedAttribute) != 0;
+    curve_ = {configuration.get_float_attribute(kGammaAttribute, 1),
+              configuration.get_int_attribute(kSrgbAttribute) != 0};
     m_spec = file_->spec();
     m_spec.set_format(OIIO::TypeDesc::FLOAT);
     m_spec.channelformats.clear();
@@ -67,13 +69,13 @@ void CleanedInput::clean(float* values, std::size_t pixels) {
         values[i] = 0;
         ++refused_;
     }
-    if (decoded_) decode(values, pixels);
+    if (curve_.changes()) decode(values, pixels);
 }
 
 void CleanedInput::decode(float* values, std::size_t pixels) const {
     for (std::size_t i = 0; i < pixels; ++i)
         for (int c = 0; c < m_spec.nchannels; ++c, ++values)
-            if (c != m_spec.alpha_channel) *values = linear_of_srgb(*values);
+            if (c != m_spec.alpha_channel) *values = curve_.linear(*values);
 }
 
 bool CleanedInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int y, int z,

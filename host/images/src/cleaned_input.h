@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "lxs/spectrum/stored_curve.h"
+
 namespace lxs {
 
 /// Sets values that no texture may have (NaN, infinite, negative) to 0. Registered with the image
@@ -14,8 +16,8 @@ namespace lxs {
 /// only.
 class CleanedInput final : public OIIO::ImageInput {
   public:
-    /// Configuration for open(). `decoded`: stored values become linear by sRGB's curve.
-    static OIIO::ImageSpec configuration(const std::string& path, bool decoded);
+    /// Configuration for open(). `curve`: by which stored values become linear.
+    static OIIO::ImageSpec configuration(const std::string& path, const StoredCurve& curve);
     /// What the image cache calls to make readers.
     static OIIO::ImageInput* create() { return new CleanedInput; }
 
@@ -43,7 +45,7 @@ class CleanedInput final : public OIIO::ImageInput {
     std::unique_ptr<OIIO::ImageInput> file_;
     std::string failure_;  ///< why reading failed; empty if it did not
     std::uint64_t refused_ = 0;
-    bool decoded_ = false;
+    StoredCurve curve_;
 };
 
 }  // namespace lxs

@@ -38,9 +38,10 @@ class SystemImage final : public CachedImage {
         std::uint64_t refused;
     };
 
-    SystemImage(TextureSystemImages& images, std::string path, const Facts& facts, bool decoded)
+    SystemImage(TextureSystemImages& images, std::string path, const Facts& facts,
+                const StoredCurve& curve)
         : images_(images),
-          handle_(images.handle_of(path, decoded)),
+          handle_(images.handle_of(path, curve)),
           path_(std::move(path)),
           facts_(facts) {}
 
@@ -60,8 +61,8 @@ class SystemImage final : public CachedImage {
                                          static_cast<int>(values.size()), values.data());
         if (!read) fail(system.has_error() ? system.geterror() : "");
     }
-    std::unique_ptr<const CachedImage> decoded() const override {
-        return std::make_unique<SystemImage>(images_, path_, facts_, true);
+    std::unique_ptr<const CachedImage> decoded(const StoredCurve& curve) const override {
+        return std::make_unique<SystemImage>(images_, path_, facts_, curve);
     }
 
   private:
@@ -90,15 +91,16 @@ TextureSystemImages::~TextureSystemImages() {
     OIIO::TextureSystem::destroy(system_);
 }
 
-std::string TextureSystemImages::own_name(const std::string& path, bool decoded) const {
-    return fmt::format("{}?cleaned-{}{}", path, fmt::ptr(this), decoded ? "-decoded" : "");
+std::string TextureSystemImages::own_name(const std::string& path, const StoredCurve& curve) const {
+    return fmt::format("{}?cleaned-{}-{}", path, fmt::ptr(this),
+                       curve.srgb ? std::string("srgb") : fmt::format("{}", curve.gamma));
 }
 
 OIIO::TextureSystem::TextureHandle* TextureSystemImages::handle_of(const std::string& path,
-                                                                   bool decoded) {
-    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, decoded);
+                                                                   const StoredCurve& curve) {
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, curve);
     const std::lock_guard lock(mutex_);
-    const OIIO::ustring name(own_name(path, decoded));
+    const OIIO::ustring name(own_name(path, curve));
     system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);
     system_->invalidate(name, true);  // another scene may have read an older version of the file
     names_.push_back(name);
@@ -110,14 +112,14 @@ OIIO::TextureSystem::TextureHandle* TextureSystemImages::handle_of(const std::st
 std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& path) {
     CleanedInput input;
     OIIO::ImageSpec spec;
-    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, false);
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, {});
     const bool good =
         with_reasons([&] { return input.open(path, spec, configuration) && input.read_through(); });
     if (!good) fail(input.geterror());
     return std::make_unique<SystemImage>(
         *this, path,
         SystemImage::Facts{input.spec().nchannels, input.spec().alpha_channel, input.refused()},
-        false);
+        StoredCurve{});
 }
 
 }  // namespace lxs

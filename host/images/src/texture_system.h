@@ -21,15 +21,16 @@ class TextureSystemImages final : public CachedImages {
 
     std::unique_ptr<const CachedImage> open(const std::string& path) override;
 
-    /// What the texture system knows the file `path` by, as it is stored or decoded. Throws
-    /// std::runtime_error with the reason if it can't be read.
-    OIIO::TextureSystem::TextureHandle* handle_of(const std::string& path, bool decoded);
+    /// What the texture system knows the file `path` by, decoded. Throws std::runtime_error
+    /// with the reason if it can't be read.
+    OIIO::TextureSystem::TextureHandle* handle_of(const std::string& path,
+                                                  const StoredCurve& curve);
     OIIO::TextureSystem& system() { return *system_; }
 
   private:
     /// Names the reader of `path` that is this cache's alone: scenes of one process share the
     /// texture system, and one that ends or starts must not take the files of another away.
-    std::string own_name(const std::string& path, bool decoded) const;
+    std::string own_name(const std::string& path, const StoredCurve& curve) const;
 
     std::mutex mutex_;
     /// A pointer, which OpenImageIO 3 counts.

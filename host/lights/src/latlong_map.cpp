@@ -14,7 +14,6 @@
 #include "lxs/images/image_library.h"
 #include "lxs/scene/registry.h"
 #include "lxs/spectrum/rgb_spectra.h"
-#include "lxs/spectrum/srgb_curve.h"
 
 namespace lxs {
 
@@ -24,12 +23,7 @@ LatLongMap::LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> p
         c = non_negative(c);
 }
 
-float MapCurve::linear(float stored) const {
-    if (srgb) return linear_of_srgb(stored);
-    return gamma == 1 ? stored : std::pow(stored, gamma);
-}
-
-LatLongMap LatLongMap::read(const std::string& path, const MapCurve& curve,
+LatLongMap LatLongMap::read(const std::string& path, const StoredCurve& curve,
                             const SourceLocation& where, Diagnostics& diagnostics) {
     const ImageLibrary& library = image_library();
     FloatImage file;

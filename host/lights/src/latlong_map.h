@@ -7,17 +7,10 @@
 
 #include "lxs/sdk/diagnostics.h"
 #include "lxs/sdk/types.h"
+#include "lxs/spectrum/stored_curve.h"
 #include "piecewise_2d.h"
 
 namespace lxs {
-
-/// How stored values become linear.
-struct MapCurve {
-    float gamma = 1;    ///< each is raised to it
-    bool srgb = false;  ///< by sRGB's curve instead
-
-    float linear(float stored) const;
-};
 
 class LatLongMap {
   public:
@@ -25,7 +18,7 @@ class LatLongMap {
     LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> pixels);
     /// Reads an image file. Throws InputError at `where` if the file can't be read; values that are
     /// not finite or negative are taken for 0, with a warning there.
-    static LatLongMap read(const std::string& path, const MapCurve& curve,
+    static LatLongMap read(const std::string& path, const StoredCurve& curve,
                            const SourceLocation& where, Diagnostics& diagnostics);
 
     /// The image of a function of st, each pixel the mean of 2 x 2 values.

@@ -42,7 +42,7 @@ bool names_profile(const ParameterReader& reader) {
     return !reader.string("mapname", "").empty() || !reader.string("iesname", "").empty();
 }
 
-MapCurve map_curve(const ParameterReader& reader) {
+StoredCurve map_curve(const ParameterReader& reader) {
     return {static_cast<float>(reader.number("gamma", 1)),
             reader.string("colorspace", "gamma") == "srgb"};
 }

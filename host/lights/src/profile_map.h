@@ -10,7 +10,7 @@ namespace lxs {
 bool names_profile(const ParameterReader& reader);
 
 /// What "gamma" and "colorspace" say of an image.
-MapCurve map_curve(const ParameterReader& reader);
+StoredCurve map_curve(const ParameterReader& reader);
 /// The image at mapname, linear by map_curve(); its colours are those of a filter before white
 /// light, unless plainvalues takes them as they are.
 LatLongMap read_map(const ParameterReader& reader, const AssetResolver& resolve);

@@ -129,7 +129,9 @@ void Translator::write_root(const Statement& image, const std::string& name) {
         if (head == "float gamma") value.values = Numbers{std::get<Numbers>(value.values)[0] / 2};
         if (head == "float gain")
             value.values = Numbers{std::sqrt(std::get<Numbers>(value.values)[0])};
-        if (head == "string colorspace") {  // sRGB's curve is nearly an exponent of 2.2
+        // sRGB's curve is nearly an exponent of 2.2.
+        if (head == "string colorspace" &&
+            std::get<Strings>(value.values).front() == "srgb_texels") {
             root.arguments[i].values = Strings{"float gamma"};
             value.values = Numbers{1.1};
         }

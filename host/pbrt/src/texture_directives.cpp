@@ -140,6 +140,7 @@ void Translator::image_texture(NewStatement& made, Parameters& p, bool is_float)
             p.fail("encoding",
                    unknown_name_message("encoding", encoding, {"sRGB", "linear", "gamma 2.2"}));
         made.set("float gamma", gamma, &p.where("encoding"));
+        if (gamma != 1) made.set("string colorspace", "gamma_texels");
     }
     double gain = 1;
     if (const auto texture = p.texture("scale"))

@@ -183,7 +183,7 @@ TEST(ProjectionLight, ThrowsItsImageWithinItsAngle) {
 /// the inverse leads back.
 TEST(EmissionProfile, DensitiesAndInverses) {
     RecordedDiagnostics diagnostics;
-    LatLongMap image = LatLongMap::read(probe_image(), MapCurve{}, {}, diagnostics);
+    LatLongMap image = LatLongMap::read(probe_image(), StoredCurve{}, {}, diagnostics);
     const SphereProfile sphere(Rotation(translation(0, 0, 0), {}), image);
     const ScreenProfile screen(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f, false);
     const ScreenProfile plain(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f, true);

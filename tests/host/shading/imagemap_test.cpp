@@ -118,6 +118,10 @@ TEST_F(ImagemapTest, SrgbTexelsAreLinearBeforeTheyAreInterpolated) {
     const auto stored =
         scene_.make_color("imagemap", {text("filename", path), text("colorspace", "srgb")});
     expect_near(look(*stored, 0.5f, 0.5f), Rgb(0.2140f));
+    const auto powers = scene_.make_color(
+        "imagemap",
+        {text("filename", path), text("colorspace", "gamma_texels"), number("gamma", 3)});
+    expect_near(look(*powers, 0.5f, 0.5f), Rgb(0.5f));
 }
 
 TEST_F(ImagemapTest, PlainColorsAreSeenAsTheyAre) {

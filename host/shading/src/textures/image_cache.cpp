@@ -14,7 +14,7 @@ CachedImages& ImageCache::images() {
     return *images_;
 }
 
-ImageCache::Image ImageCache::open(const std::string& path, bool decoded,
+ImageCache::Image ImageCache::open(const std::string& path, const StoredCurve& curve,
                                    const ParameterReader& reader, const AssetContext& assets) {
     CachedImages& cache = images();
     Texels texels;
@@ -22,7 +22,7 @@ ImageCache::Image ImageCache::open(const std::string& path, bool decoded,
         const std::any ahead = assets.take_ahead(std::string(reader.plugin()), path);
         const auto* known = std::any_cast<Texels>(&ahead);
         texels = known ? *known : Texels(cache.open(path));
-        if (decoded) texels = texels->decoded();
+        if (curve.changes()) texels = texels->decoded(curve);
     } catch (const std::bad_alloc&) {
         throw EndOfReading(reader.where("filename"),
                            fmt::format("not enough memory for the image in \"{}\"", path));

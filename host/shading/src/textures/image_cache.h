@@ -21,11 +21,10 @@ class ImageCache {
         SourceLocation where;  ///< of the parameter that names it
     };
 
-    /// Opens the file `path`, `decoded` or as it is stored, and reads it once, unless that was done
-    /// ahead; values that are not
-    /// finite or negative are reported in one warning. Throws InputError at `reader`'s filename
-    /// when it can't be read.
-    Image open(const std::string& path, bool decoded, const ParameterReader& reader,
+    /// Opens the file `path`, its texels decoded, and reads it once, unless that was done
+    /// ahead; values that are not finite or negative are reported in one warning. Throws InputError
+    /// at `reader`'s filename when it can't be read.
+    Image open(const std::string& path, const StoredCurve& curve, const ParameterReader& reader,
                const AssetContext& assets);
     /// The same without a message, for Factory::read_file.
     std::any open_ahead(const std::string& path) { return Texels(images().open(path)); }

@@ -8,7 +8,7 @@
 #include "image_cache.h"
 #include "lxs/scene/constant_texture.h"
 #include "lxs/spectrum/reflectance_colour.h"
-#include "lxs/spectrum/srgb_curve.h"
+#include "lxs/spectrum/stored_curve.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kFilters{"bilinear", "nearest", "mipmap_trilinear",
                                                    "mipmap_ewa"};
-constexpr std::array<std::string_view, 3> kColorSpaces{"gamma", "srgb", "srgb_texels"};
+constexpr std::array<std::string_view, 4> kColorSpaces{"gamma", "srgb", "gamma_texels",
+                                                       "srgb_texels"};
 constexpr std::array<std::string_view, 6> kChannels{"mean", "red",   "green",
                                                     "blue", "alpha", "colored_mean"};
 
@@ -45,14 +46,13 @@ class ImageLookup {
                                                             : std::clamp(x, -1.0f, 2.0f);
     }
 
-    float linear(float stored) const;
-
     std::shared_ptr<ImageCache> cache_;
     ImageCache::Image image_;
     TexelLookup how_;
     UvMapping mapping_;
-    float gain_, gamma_;
-    bool srgb_, plain_colors_, times_alpha_, white_outside_;
+    StoredCurve curve_;  ///< of what is interpolated
+    float gain_;
+    bool plain_colors_, times_alpha_, white_outside_;
 };
 
 ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& assets,
@@ -62,11 +62,12 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     const std::string path =
         assets.resolve(reader.string("filename", ""), reader.where("filename"));
     const std::string space = reader.string("colorspace", "gamma");
-    image_ = cache_->open(path, space == "srgb_texels", reader, assets);
-    gamma_ = static_cast<float>(reader.number("gamma", 2.2));
+    const StoredCurve curve{static_cast<float>(reader.number("gamma", 2.2)),
+                            space.starts_with("srgb")};
+    const bool of_texels = space.ends_with("_texels");
+    image_ = cache_->open(path, of_texels ? curve : StoredCurve{}, reader, assets);
+    if (!of_texels) curve_ = curve;
     gain_ = static_cast<float>(reader.number("gain", 1));
-    srgb_ = space == "srgb";
-    if (space == "srgb_texels") gamma_ = 1;
     plain_colors_ = reader.boolean("plaincolors", false);
     times_alpha_ = reader.boolean("timesalpha", false) && image_.texels->alpha_channel() == 3;
     const Wrap wrap = read_wrap(reader);
@@ -101,13 +102,9 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
     }
     // Texels are interpolated as they are stored, then the gamma is undone: LuxRender's image of a
     // fine pattern is darker by what that makes (5 % in the blue of texture-imagemap's squares).
-    if (gamma_ == 1 && !srgb_) return;
+    if (!curve_.changes()) return;
     for (int c = 0; c < count; ++c)
-        if (first + c != image_.texels->alpha_channel()) values[c] = linear(values[c]);
-}
-
-float ImageLookup::linear(float stored) const {
-    return srgb_ ? linear_of_srgb(stored) : std::pow(stored, gamma_);
+        if (first + c != image_.texels->alpha_channel()) values[c] = curve_.linear(values[c]);
 }
 
 Rgb ImageLookup::color(const TexturePoint& point) const {
@@ -197,8 +194,8 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
         {"gamma", ParameterType::Float, "2.2", "values are raised to this power", 1e-3},
         {"gain", ParameterType::Float, "1", "factor on the linear values", 0},
         choice("colorspace", "gamma",
-               "how stored values become linear: by gamma, or by sRGB's curve, after texels are "
-               "interpolated or (srgb_texels) before. Not LuxRender's.",
+               "how stored values become linear: by gamma, or (not LuxRender's) by sRGB's curve; "
+               "after texels are interpolated, or (not LuxRender's) before",
                kColorSpaces),
         {"timesalpha", ParameterType::Bool, "false",
          "stored colours are multiplied by the image's alpha. Not LuxRender's."},

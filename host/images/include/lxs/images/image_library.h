@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lxs/images/voxel_grid.h"
+#include "lxs/spectrum/stored_curve.h"
 
 namespace lxs {
 
@@ -42,9 +43,8 @@ class CachedImage {
     /// std::runtime_error with the reason if the file can't be read any more.
     virtual void look_up(float s, float t, int first, const TexelLookup& how,
                          std::span<float> values) const = 0;
-    /// The same image, whose texels are linear before they are interpolated: decoded by sRGB's
-    /// curve, but for alpha.
-    virtual std::unique_ptr<const CachedImage> decoded() const = 0;
+    /// The same image, whose texels but for alpha become linear before they are interpolated.
+    virtual std::unique_ptr<const CachedImage> decoded(const StoredCurve& curve) const = 0;
 };
 
 /// Images that share memory. For any thread.

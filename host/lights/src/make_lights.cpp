@@ -83,7 +83,7 @@ void make_infinite(const LightStatement& s, Lights& lights) {
     }
     if (const double wanted = s.number("illuminance", 0); wanted > 0) {
         const double found = luminance(map.irradiance());
-        if (found > 0) gain *= static_cast<float>(wanted / found);
+        if (found > 0) gain = s.cleaned(gain * static_cast<float>(wanted / found), "illuminance");
     }
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
                                                          std::move(map), gain));

@@ -36,7 +36,8 @@ UvMapping::UvMapping(const ParameterReader& reader, const Matrix& to_world) {
         kind_ = mapping == "spherical" ? Kind::Spherical
                 : mapping == "polar"   ? Kind::Polar
                                        : Kind::Cylindrical;
-        turn_start_ = number("turnstart", 0);
+        const double start = reader.number("turnstart", 0);
+        turn_start_ = static_cast<float>(start - std::floor(start));
         to_texture_ = inverse_or_fail(reader, "mapping", to_world);
     }
 }

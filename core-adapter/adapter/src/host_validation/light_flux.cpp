@@ -58,26 +58,30 @@ struct Sphere {
 class Measurement {
   public:
     Measurement(const Scene& scene, const Light& light, std::uint32_t samples, RandomStream& random)
-        : light_(light), samples_(samples), random_(random), box_(scene.bounds()) {}
+        : light_(light),
+          samples_(samples),
+          random_(random),
+          box_(scene.bounds()),
+          far_(light.at_infinity() || is_parallel()) {}
 
     LightFlux measure() {
-        if (!light_.at_infinity()) find_sphere();
+        if (!far_) find_sphere();
         std::vector<Vec3> pilots;
         for (std::size_t i = 0; i < kFluxPilots; ++i) {
             Emission e;
             if (!emit_at_random(light_, random_, e) || !sound(e)) continue;
-            pilots.push_back(light_.at_infinity() ? -e.ray.direction : sphere_.exit(e.ray));
+            pilots.push_back(far_ ? -e.ray.direction : sphere_.exit(e.ray));
         }
         for (std::uint32_t i = 0; i < samples_; ++i)
             add_photon();
         const DirectionProposal q(std::move(pilots));
         for (std::uint32_t i = 0; i < samples_; ++i) {
-            if (!light_.at_infinity()) {
+            if (!far_) {
                 add_sphere_point(q);
-            } else if (!is_delta()) {
+            } else if (light_.at_infinity()) {
                 add_direction(q);
             } else {
-                add_delta();
+                add_parallel();
             }
         }
         return flux_;
@@ -114,7 +118,7 @@ class Measurement {
         const double power = emitted ? double(luminance(e.power)) : 0;
         flux_.emitted.add(power);
         int there = -1;
-        if (emitted && light_.at_infinity()) {
+        if (emitted && far_) {
             if (box_.crossed_by(e.ray)) there = octant(kWorldAxes, -e.ray.direction);
         } else if (emitted) {
             there = octant(kWorldAxes, sphere_.exit(e.ray));
@@ -163,12 +167,13 @@ class Measurement {
         add(flux_.by_points, octant(kWorldAxes, w), value);
     }
 
-    bool is_delta() {
+    /// Light of one direction, which no ray meets.
+    bool is_parallel() {
         DirectSample s;
         return light_.sample_direct(point_at(box_.bounds.center(), {0, 0, 1}), {0.5f, 0.5f}, s) &&
-               s.delta;
+               s.delta && std::isinf(s.distance);
     }
-    void add_delta() {
+    void add_parallel() {
         DirectSample s;
         if (!direct(point_at(box_.bounds.center(), {0, 0, 1}), s)) return;
         add(flux_.by_points, octant(kWorldAxes, s.wi),
@@ -179,6 +184,7 @@ class Measurement {
     std::uint32_t samples_;
     RandomStream& random_;
     Box box_;
+    bool far_;  ///< comes from beyond the scene
     Sphere sphere_;
     LightFlux flux_;
 };

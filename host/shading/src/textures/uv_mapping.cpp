@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 5> kMappings{"uv", "spherical", "polar", 
 }  // namespace
 
 float UvMapping::turn(const Vec3& p) const {
-    const float share = std::atan2(p.y, p.x) * (0.5f * std::numbers::inv_pi_v<float>)-turn_start_;
+    constexpr float kTurnsPerRadian = 0.5f * std::numbers::inv_pi_v<float>;
+    const float share = std::atan2(p.y, p.x) * kTurnsPerRadian - turn_start_;
     return share - std::floor(share);
 }
 

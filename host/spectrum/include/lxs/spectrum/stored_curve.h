@@ -15,7 +15,6 @@ struct StoredCurve {
     float gamma = 1;    ///< each value is raised to it
     bool srgb = false;  ///< by sRGB's curve instead
 
-    bool operator==(const StoredCurve&) const = default;
     bool changes() const { return srgb || gamma != 1; }
     float linear(float stored) const {
         if (srgb) return linear_of_srgb(stored);

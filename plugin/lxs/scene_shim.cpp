@@ -190,6 +190,10 @@ bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
     point.distance = hit.distance;
     point.transmittance = from(hit.transmittance);
     point.crossed = mark_of(hit.crossed);
+    if (hit.medium_light) {
+        point.medium_light = index_of_.at(hit.medium_light);
+        point.medium_emitted = from(hit.medium_emitted);
+    }
     if (!met) return false;
     point.position = from(hit.p);
     point.geometric_normal = from(hit.ng);

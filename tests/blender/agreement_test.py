@@ -290,6 +290,25 @@ class Volumes(Agreement):
         scenes.ball('half', 0.3, scenes.grey(), (0.4, -0.9, 0.3))
         self.agrees('cloud', scene, FOG, 'path')
 
+    def test_flames(self):
+        """Each light in its own smoke: of a colour, and of a black body that is hotter below."""
+        scene = scenes.stage()
+        scenes.box('glow', 0.8, scenes.volume(
+            'glow', 'ShaderNodeVolumePrincipled', Density=0.5, Emission_Strength=1.5,
+            Emission_Color=(0.3, 0.6, 1, 1)), (-0.9, -0.3, 0.5))
+        fire = scenes.volume('fire', 'ShaderNodeVolumePrincipled', Density=1,
+                             Blackbody_Intensity=1, Blackbody_Tint=(1, 0.9, 0.8, 1))
+        nodes, links = fire.node_tree.nodes, fire.node_tree.links
+        height, kelvin = nodes.new('ShaderNodeSeparateXYZ'), nodes.new('ShaderNodeMapRange')
+        links.new(nodes.new('ShaderNodeNewGeometry').outputs['Position'], height.inputs[0])
+        links.new(height.outputs['Z'], kelvin.inputs['Value'])
+        links.new(kelvin.outputs[0], nodes['Principled Volume'].inputs['Temperature'])
+        for name, value in (('From Max', 1.5), ('To Min', 4000), ('To Max', 1000)):
+            kelvin.inputs[name].default_value = value
+        scenes.ball('fire', 0.6, fire, (0.9, 0.2, 0.7))
+        scenes.ball('inner', 0.2, scenes.grey(), (0.9, 0.1, 0.6))
+        self.agrees('flames', scene, FOG, 'path')
+
     def test_smoke_of_a_file(self):
         """Of a coarse grid, where half a voxel would be seen, on an object that is turned, and
         large: it has as much smoke as in its own space."""

@@ -69,11 +69,49 @@ class Volumes(unittest.TestCase):
 
     def test_what_is_not_carried_over_is_told(self):
         scenes.stage()
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Emission_Strength=1.0)
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled')
         scenes.plane('sheet', 1, fog, (0, 0, 1))
         _, left_out = exported('told')
-        self.assertEqual(left_out, ['light of volumes is left out: fog',
-                                    'volumes of meshes that are not closed are left out: sheet'])
+        self.assertEqual(left_out, ['volumes of meshes that are not closed are left out: sheet'])
+
+    def test_volumes_shine(self):
+        scenes.stage()
+        for name, kind, inputs, sent in (
+                ('glow', 'ShaderNodeVolumePrincipled',
+                 {'Density': 0, 'Emission_Strength': 2, 'Emission_Color': (1, 0.5, 0.25, 1)},
+                 (2, 1, 0.5)),
+                ('gas', 'ShaderNodeEmission', {'Strength': 3, 'Color': (0, 1, 0, 1)}, (0, 3, 0)),
+                ('ember', 'ShaderNodeVolumePrincipled',
+                 {'Density': 0, 'Blackbody_Intensity': 1, 'Temperature': 1000}, None)):
+            scenes.clear()
+            scenes.camera()
+            scenes.box(name, 1, scenes.volume(name, kind, **inputs), (0, 0, 1))
+            text, left_out = exported(name)
+            self.assertEqual(left_out, [])
+            found = re.search(r'"homogeneous".*"color emission" \[(.*?)\]', text)
+            numbers = np.array([float(x) for x in found[1].split()])
+            if sent is None:  # of Stefan and Boltzmann's law, of luminance 1
+                power = 5.670373e-8 * 1e-6 / np.pi * 1000 ** 4
+                self.assertAlmostEqual(numbers @ (0.2126, 0.7152, 0.0722) / power, 1, delta=0.01)
+                self.assertGreater(numbers[0], 3 * numbers[1])
+            else:
+                np.testing.assert_allclose(numbers, sent, rtol=1e-5)
+
+    def test_temperatures_that_vary_are_ramps(self):
+        scenes.stage()
+        fire = scenes.volume('fire', 'ShaderNodeVolumePrincipled', Density=0,
+                             Blackbody_Intensity=1)
+        node = link(fire, ('Math', 'Value'), 'Temperature')
+        node.operation = 'MULTIPLY'
+        place = fire.node_tree.nodes.new('ShaderNodeNewGeometry')
+        fire.node_tree.links.new(place.outputs['Position'], node.inputs[0])
+        node.inputs[1].default_value = 3000
+        scenes.box('fire', 1, fire, (0, 0, 1))
+        text, left_out = exported('fire')
+        self.assertEqual(left_out, [])
+        self.assertRegex(text, r'"heterogeneous".*"texture emission"')
+        self.assertTrue(any(line.startswith('ramp linear') for program in programs(text)
+                            for line in program))
 
     def test_volumes_that_the_scene_language_has_not_are_told(self):
         scene = scenes.stage()
@@ -164,12 +202,11 @@ class Varying(unittest.TestCase):
 
     def test_what_varies_but_may_not_is_told(self):
         scenes.stage()
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Blackbody_Intensity=1)
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled')
         link(fog, ('TexNoise', 'Fac'), 'Anisotropy')
         scenes.box('fog', 1, fog, (1, 0, 1))
-        self.assertEqual(exported('told')[1], [
-            'light of volumes is left out: fog',
-            'textures of anisotropies of volumes are left out: fog'])
+        self.assertEqual(exported('told')[1],
+                         ['textures of anisotropies of volumes are left out: fog'])
 
     def test_other_phase_functions_are_told(self):
         scenes.stage()

@@ -189,6 +189,46 @@ TEST(MediaAgreement, FogThatVaries) {
                      0.01, 0.012);
 }
 
+/// A flame in smoke over a floor of rough metal, beside glass; what it encloses is lit within it.
+std::string flame() {
+    return std::string(kFilm) + R"(VolumeIntegrator "multi"
+LookAt 0 -3.5 0.5  0 0 0  0 0 1
+Camera "perspective" "float fov" [50]
+WorldBegin
+Texture "height" "float" "exponential" "vector updir" [0 0 1] "point origin" [0 0 -0.8] "float decay" [1.5]
+Texture "smoke" "color" "mix" "texture amount" ["height"] "color tex1" [0.2 0.2 0.2] "color tex2" [1 0.6 0.3]
+Texture "fire" "color" "mix" "texture amount" ["height"] "color tex1" [0 0 0] "color tex2" [4 2 0.5]
+MakeNamedVolume "flame" "heterogeneous" "texture sigma_s" ["smoke"] "texture sigma_a" ["smoke"] "texture emission" ["fire"]
+AttributeBegin
+Interior "flame"
+Material "null"
+Shape "sphere" "float radius" [0.8]
+AttributeEnd
+AttributeBegin
+Material "matte" "color Kd" [0.6 0.6 0.6]
+Translate 0.2 -0.3 -0.2
+Shape "sphere" "float radius" [0.25]
+AttributeEnd
+AttributeBegin
+Material "glass"
+Translate -1.3 -0.4 -0.5
+Shape "sphere" "float radius" [0.4]
+AttributeEnd
+Material "metal2" "float uroughness" [0.3] "float vroughness" [0.3]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-4 -4 -1  4 -4 -1  4 4 -1  -4 4 -1]
+Material "matte" "color Kd" [0.6 0.6 0.6]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-4 2 -1  4 2 -1  4 2 3  -4 2 3]
+WorldEnd
+)";
+}
+
+TEST(MediaAgreement, AFlameLightsWhatIsAroundItAndInIt) {
+    expect_agreement(flame(), "400",
+                     "24 --set aips.guide=none --set aips.startradius=0.15 "
+                     "--set aips.photonperpass=30000",
+                     0.01, 0.012);
+}
+
 /// A ball of fog that absorbs nothing under an even sky is as bright as the sky, to its rim.
 TEST(MediaAgreement, FogBallInAFurnaceIsNotSeen) {
     const render::Folder folder;

@@ -49,6 +49,7 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         SurfaceHit hit;
         ++result.rays;
         const bool met = meet(state, hit, memory);
+        if (hit.medium_light) add_emitted_by_medium(state, hit);
         state.ray.media = hit.crossed;
         const Medium* const medium = media_scatter_ ? scene_.medium(hit.crossed) : nullptr;
         if (medium && medium->scatters()) {
@@ -78,6 +79,8 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
 bool PathTracer::meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const {
     const bool met = scene_.intersect(state.ray, hit, memory);
     if (!filter_.accept_of_passage(valid(hit.transmittance))) hit.transmittance = Rgb(0.0f);
+    if (hit.medium_light && !filter_.accept_of_light(valid(hit.medium_emitted), *hit.medium_light))
+        hit.medium_light = nullptr;
     if (!met) return false;
     const bool is_place =
         finite(hit.p) && finite(hit.ng) && finite(hit.ns) && std::isfinite(hit.distance);
@@ -123,6 +126,13 @@ void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
     if (hit.light == nullptr || is_black(hit.emitted) || !sees(state, *hit.light)) return;
     const float weight = light_weight(state, *hit.light, hit.p, hit.ng, hit.primitive);
     add(state, state.throughput * hit.emitted * weight, *hit.light, state.scatterings.met());
+}
+
+/// Of the medium that the ray crosses.
+void PathTracer::add_emitted_by_medium(State& state, const SurfaceHit& hit) const {
+    const float weight = light_weight(state, *hit.medium_light, Vec3(0.0f), Vec3(0.0f), 0);
+    add(state, state.throughput * hit.medium_emitted * weight, *hit.medium_light,
+        state.scatterings.met());
 }
 
 void PathTracer::add_escaped(State& state) const {

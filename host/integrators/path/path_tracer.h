@@ -73,6 +73,7 @@ class PathTracer {
     /// False for a light that is hidden from the camera, as long as the path has not scattered.
     static bool sees(const State& state, const Light& light);
     void add_emitted(State& state, const SurfaceHit& hit) const;
+    void add_emitted_by_medium(State& state, const SurfaceHit& hit) const;
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;
     void tell(State& state, const SurfaceHit& hit, const LightChoice& choice, float value) const;

@@ -129,6 +129,8 @@ void SceneReader::make_named_volume(Statement& statement) {
     const bool is_new = assets_.define(name.text, made ? made->medium : nullptr);
     if (made) {
         made->name = name.text;
+        if (made->medium->emits()) made->group = group_index(scopes_.graphics.light_group);
+        made->where = set.where;
         contents_.media.push_back(std::move(*made));
     }
     warn_redefined(is_new, "volume", name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "medium_presets.h"
 #include "translator.h"
@@ -28,10 +29,7 @@ void Translator::make_named_medium(Statement& statement) {
     if (std::find(known_types.begin(), known_types.end(), type) == known_types.end())
         p.fail("type", unknown_name_message("medium", type, known_types));
     const auto scale = static_cast<float>(p.number("scale", 1));
-    p.leave_out("Le", "media do not shine here");
-    for (const char* known : {"Lescale", "LeScale", "temperature", "temperaturename",
-                              "temperatureoffset", "temperaturescale", "temperaturecutoff"})
-        p.ignore(known);
+    const Rgb shine = emission_of_medium(p, type) * scale;
     const double g = std::clamp(p.number("g", 0), -1.0, 1.0);
     NewStatement made("MakeNamedVolume", statement.where);
     made.name(name.text).name(type == "homogeneous" ? "homogeneous" : "heterogeneous");
@@ -39,6 +37,7 @@ void Translator::make_named_medium(Statement& statement) {
         const Coefficients given = coefficients(p);
         made.set("color sigma_a", given.absorption * scale)
             .set("color sigma_s", given.scattering * scale);
+        if (!is_black(shine)) made.set("color emission", given.absorption * shine);
     } else if (type == "rgbgrid") {
         for (const char* const head : {"sigma_a", "sigma_s"})
             made.set(fmt::format("texture {}", head).c_str(),
@@ -48,8 +47,10 @@ void Translator::make_named_medium(Statement& statement) {
         const Density density = type == "cloud"     ? cloud(p, name.text)
                                 : type == "nanovdb" ? filed_density(p, name.text)
                                                     : density_grid(p, name.text);
-        for (const auto& [head, colour] :
-             {std::pair("sigma_a", given.absorption), {"sigma_s", given.scattering}}) {
+        std::vector<std::pair<const char*, Rgb>> parts{{"sigma_a", given.absorption * scale},
+                                                       {"sigma_s", given.scattering * scale}};
+        if (!is_black(shine)) parts.emplace_back("emission", given.absorption * shine);
+        for (const auto& [head, colour] : parts) {
             const std::string texture = fresh(name.text + "/" + head);
             add(NewStatement("Texture", statement.where)
                     .name(texture)
@@ -57,7 +58,7 @@ void Translator::make_named_medium(Statement& statement) {
                     .name("mix")
                     .set("texture amount", density.texture)
                     .set("color tex1", Rgb(0.0f))
-                    .set("color tex2", colour * (scale * density.most)));
+                    .set("color tex2", colour * density.most));
             made.set(fmt::format("texture {}", head).c_str(), texture);
         }
     }
@@ -75,6 +76,28 @@ Translator::Coefficients Translator::coefficients(const Parameters& p) {
     }
     return {spectra_.colour(p, "sigma_a", ColourOf::Surface, Rgb(1.0f)),
             spectra_.colour(p, "sigma_s", ColourOf::Surface, Rgb(1.0f))};
+}
+
+/// Radiance that a medium sends, over its absorption, where that is the same everywhere.
+Rgb Translator::emission_of_medium(Parameters& p, const std::string& type) {
+    for (const char* const grid : {"temperature", "temperaturename"})
+        p.leave_out(grid, "media do not shine by temperature here");
+    for (const char* const known : {"temperatureoffset", "temperaturescale", "temperaturecutoff"})
+        p.ignore(known);
+    const char* const scale = p.given("LeScale") ? "LeScale" : "Lescale";
+    if (type == "cloud" || type == "rgbgrid" || type == "nanovdb") {
+        p.leave_out("Le", "media of this type do not shine here");
+        p.ignore(scale);
+        return Rgb(0.0f);
+    }
+    if (!p.given("Le")) return Rgb(0.0f);
+    const Numbers scales = p.numbers(scale);
+    if (scales.size() > 1) {
+        warn(p.where(scale), "a medium's light is not scaled by cells here: it does not shine");
+        return Rgb(0.0f);
+    }
+    return spectra_.colour(p, "Le", ColourOf::Light, Rgb(0.0f)) *
+           (scales.empty() ? 1.0f : float(scales.front()));
 }
 
 /// The box of a grid or cloud: its corners in the space of the medium.

@@ -219,6 +219,7 @@ class Translator {
         Rgb absorption, scattering;
     };
     Coefficients coefficients(const Parameters& p);
+    Rgb emission_of_medium(Parameters& p, const std::string& type);
     /// A texture that is 1 where the density is `most`.
     struct Density {
         std::string texture;

@@ -2,7 +2,6 @@
 #include "lxs/sdk/medium.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "field_flight.h"
@@ -43,16 +42,9 @@ float sample_cosine(float g, float u) {
     return std::clamp((1 + g * g - s * s) / (2 * g), -1.0f, 1.0f);
 }
 
-/// 64 bits that two numbers draw.
-std::uint64_t seed_of(float a, float b) {
-    return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 | std::bit_cast<std::uint32_t>(b);
-}
-
 /// A ray is met once: its own bits draw what it meets.
-std::uint64_t seed_of(const Vec3& origin, const Vec3& direction) {
-    return seed_of(origin.x, direction.x) * 0x9E3779B97F4A7C15u ^
-           seed_of(origin.y, direction.y) * 0xC2B2AE3D27D4EB4Fu ^
-           seed_of(origin.z, direction.z) * 0x165667B19E3779F9u;
+HashedNumbers numbers_of(const Vec3& origin, const Vec3& direction) {
+    return HashedNumbers().about(origin).about(direction);
 }
 
 }  // namespace
@@ -70,7 +62,7 @@ void Medium::bound(const Bounds& bounds, const FieldJobs& jobs) {
 Rgb Medium::transmittance(const Vec3& origin, const Vec3& direction, float distance) const {
     if (!bounded_) return transmittance(distance);
     Rgb passed(1.0f);
-    bounded_->fly(origin, direction, distance, seed_of(origin, direction),
+    bounded_->fly(origin, direction, distance, numbers_of(origin, direction),
                   [&](float, const MediumCoefficients& here, float majorant) {
                       passed *= Rgb(1.0f) - here.extinction() / majorant;
                       return is_black(passed);
@@ -82,12 +74,25 @@ void Medium::transmittance_steps(const Vec3& origin, const Vec3& direction, floa
                                  std::vector<TransmittanceStep>& steps) const {
     steps.assign(1, {});
     if (!bounded_) return;
-    bounded_->fly(origin, direction, length, seed_of(origin, direction) + seed_of(u, u),
+    bounded_->fly(origin, direction, length, numbers_of(origin, direction).about(u),
                   [&](float distance, const MediumCoefficients& here, float majorant) {
                       const Rgb share = Rgb(1.0f) - (here.absorption + here.scattering) / majorant;
                       steps.push_back({distance, steps.back().passed * share});
                       return is_black(steps.back().passed);
                   });
+}
+
+Rgb Medium::emitted(const Vec3& origin, const Vec3& direction, float length) const {
+    if (!emits_) return Rgb(0.0f);
+    if (bounded_)
+        return bounded_->emitted(origin, direction, length, numbers_of(origin, direction));
+    const auto channel = [&](float emission, float extinction) {
+        if (!(emission > 0)) return 0.0f;
+        return emission *
+               (extinction > 0 ? -std::expm1(-extinction * length) / extinction : length);
+    };
+    return {channel(emission_.x, extinction_.x), channel(emission_.y, extinction_.y),
+            channel(emission_.z, extinction_.z)};
 }
 
 // Where light may collide it does with a probability p of what it carries and meets; weights of the
@@ -98,9 +103,9 @@ Flight Medium::sample_flight(const Vec3& origin, const Vec3& direction, float se
     const Rgb share = shares(carried);
     Flight flight;
     flight.distance = segment;
-    FlightNumbers numbers(~seed_of(u.x, u.y));
+    HashedNumbers numbers = HashedNumbers().about(u.x).about(u.y);
     flight.collides = bounded_->fly(
-        origin, direction, segment, seed_of(u.x, u.y),
+        origin, direction, segment, HashedNumbers().about(u.y).about(u.x).about(1.0f),
         [&](float distance, const MediumCoefficients& here, float majorant) {
             const Rgb extinction = here.extinction();
             const Rgb weighed = share * flight.weight;

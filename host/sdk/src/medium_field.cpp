@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "field_flight.h"
 
 namespace lxs {
 namespace {
@@ -25,7 +28,7 @@ constexpr float kDensestCell = 1e4f;
 
 BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bounds& bounds,
                            const FieldJobs& jobs)
-    : field_(std::move(field)), bounds_(bounds) {
+    : field_(std::move(field)) {
     const Vec3 size = bounds.size();
     const float longest = std::max({size.x, size.y, size.z, 1e-30f});
     // At borders and middles of its own cells: a grid that fills the bounds is met where it is
@@ -33,15 +36,12 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
     const float own = field_->cell_size() > 0 ? 2 * longest / field_->cell_size() : 0;
     const int wanted = int(std::clamp(own, float(kSamples), float(kMostSamples)));
     const int per_cell = std::max(kSamplesOfACell, (wanted + kMostCells - 1) / kMostCells);
-    const int most_cells = (wanted + per_cell - 1) / per_cell;
-    std::array<int, 3> samples{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float share = size[int(axis)] / longest * float(most_cells);
-        cells_[axis] = std::clamp(int(std::ceil(share)), 1, most_cells);
-        samples[axis] = cells_[axis] * per_cell + 1;
-        width_[int(axis)] = std::max(size[int(axis)], 1e-6f * longest) / float(cells_[axis]);
-    }
-    const float densest = kDensestCell / std::min({width_.x, width_.y, width_.z});
+    grid_ = RegularGrid(bounds, (wanted + per_cell - 1) / per_cell);
+    const RegularGrid::Cell& cells = grid_.cells;
+    RegularGrid::Cell samples{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        samples[axis] = cells[axis] * per_cell + 1;
+    const float densest = kDensestCell / std::min({grid_.width.x, grid_.width.y, grid_.width.z});
     const auto row = std::size_t(samples[0]), layer = row * std::size_t(samples[1]);
     // Of a cell its own samples, those on its faces, and one beyond.
     const auto around = [&](int cell, std::size_t axis) {
@@ -50,9 +50,9 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
     };
     std::vector<Imath::V3d> absorption(std::size_t(samples[2]), Imath::V3d(0.0));
     std::vector<Imath::V3d> scattering(absorption);
-    majorants_.resize(index({cells_[0] - 1, cells_[1] - 1, cells_[2] - 1}) + 1);
+    majorants_.resize(grid_.count());
     // Layer by layer of cells: samples of all at once would take half a gigabyte.
-    jobs(cells_[2], [&](int cell_z) {
+    jobs(cells[2], [&](int cell_z) {
         const auto [first, last] = around(cell_z, 2);
         std::vector<float> extinctions(layer * std::size_t(last - first + 1));
         for (int z = first; z <= last; ++z) {
@@ -62,7 +62,7 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
                 for (int x = 0; x < samples[0]; ++x) {
                     const Vec3 place = Vec3(float(x), float(y), float(z)) / float(per_cell);
                     const MediumCoefficients here =
-                        field_->at(bounds_.min + place * width_, nullptr);
+                        field_->at(bounds.min + place * grid_.width, nullptr);
                     const float most = max_component(here.extinction());
                     const float share = most > densest ? densest / most : 1;
                     absorbed += Imath::V3d(here.absorption * share);
@@ -71,12 +71,12 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
                 }
             }
             // Layers that two jobs sample count once.
-            if (std::min(z / per_cell, cells_[2] - 1) != cell_z) continue;
+            if (std::min(z / per_cell, cells[2] - 1) != cell_z) continue;
             absorption[std::size_t(z)] = absorbed;
             scattering[std::size_t(z)] = scattered;
         }
-        for (int y = 0; y < cells_[1]; ++y) {
-            for (int x = 0; x < cells_[0]; ++x) {
+        for (int y = 0; y < cells[1]; ++y) {
+            for (int x = 0; x < cells[0]; ++x) {
                 const auto [x0, x1] = around(x, 0);
                 const auto [y0, y1] = around(y, 1);
                 float most = 0;
@@ -87,7 +87,7 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
                         most = std::max(most, *std::max_element(from + x0, from + x1 + 1));
                     }
                 }
-                majorants_[index({x, y, cell_z})] = std::min(most * kAboveColours, densest);
+                majorants_[grid_.index({x, y, cell_z})] = std::min(most * kAboveColours, densest);
             }
         }
     });
@@ -102,20 +102,44 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
 }
 
 MediumCoefficients BoundedField::at(const Vec3& position) const {
-    if (!bounds_.intersects(position)) return {};
+    if (!grid_.bounds.intersects(position)) return {};
     MediumCoefficients here = field_->at(position, wavelengths_);
-    std::array<int, 3> cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int i = int(axis);
-        cell[axis] =
-            std::clamp(int((position[i] - bounds_.min[i]) / width_[i]), 0, cells_[axis] - 1);
-    }
-    const float limit = majorants_[index(cell)], most = max_component(here.extinction());
+    const float limit = majorants_[grid_.index(grid_.cell_at(position))];
+    const float most = max_component(here.extinction());
     if (most > limit) {
         here.absorption *= limit / most;
         here.scattering *= limit / most;
     }
     return here;
+}
+
+// One place in each cell tells of what it emits.
+Rgb BoundedField::emitted(const Vec3& origin, const Vec3& direction, float length,
+                          HashedNumbers numbers) const {
+    HashedNumbers of_flight = numbers;
+    of_flight.about(1.0f);
+    GridWalk cells(grid_, origin, direction, double(length));
+    Rgb sum(0.0f), passed(1.0f);
+    const auto place_in_cell = [&] {
+        return cells.from() + (cells.to() - cells.from()) * double(numbers.next());
+    };
+    double asked = cells.inside() ? place_in_cell() : 0;
+    const auto ask_until = [&](double distance) {
+        while (cells.inside() && asked < distance) {
+            const Rgb here = field_->emission(origin + direction * float(asked), wavelengths_);
+            sum += here * passed * float(cells.to() - cells.from());
+            cells.go_on();
+            if (cells.inside()) asked = place_in_cell();
+        }
+    };
+    fly(origin, direction, length, of_flight,
+        [&](float distance, const MediumCoefficients& here, float majorant) {
+            ask_until(double(distance));
+            passed *= Rgb(1.0f) - here.extinction() / majorant;
+            return is_black(passed);
+        });
+    if (!is_black(passed)) ask_until(std::numeric_limits<double>::infinity());
+    return sum;
 }
 
 }  // namespace lxs

@@ -98,6 +98,12 @@ std::vector<Line> lines_from(const MeetSurface& meet, std::span<const Vec3> plac
 
 }  // namespace
 
+MediumNumber medium_along(const MeetSurface& meet, const Vec3& place, const Vec3& direction,
+                          MediumNumber outside) {
+    const Line line = follow(meet, place, direction, true);
+    return line.media.empty() ? outside : line.media.front();
+}
+
 EnteredMedia media_around(const MeetSurface& meet, std::span<const Vec3> places,
                           const EnteredMedia& outside, MediumNumber declared) {
     if (places.empty()) return outside;

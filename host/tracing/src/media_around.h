@@ -20,4 +20,9 @@ using MeetSurface = std::function<const Surface*(const Ray& ray, SurfaceHit& hit
 EnteredMedia media_around(const MeetSurface& meet, std::span<const Vec3> places,
                           const EnteredMedia& outside, MediumNumber declared);
 
+/// The innermost medium at a place as one line from there tells it, along `direction`, unit;
+/// `outside` if that meets no surface that bounds one.
+MediumNumber medium_along(const MeetSurface& meet, const Vec3& place, const Vec3& direction,
+                          MediumNumber outside);
+
 }  // namespace lxs

@@ -25,6 +25,8 @@ class MediaTable {
     /// As the scene calls it.
     const std::string& name(MediumNumber number) const { return names_[number]; }
     bool empty() const { return numbers_.empty(); }
+    /// Of numbers, kNoMedium among them.
+    std::size_t size() const { return media_.size(); }
 
   private:
     void add(const std::shared_ptr<const Medium>& medium, const SceneContents& contents);

@@ -23,7 +23,8 @@ void add_material(const MaterialFacts& material, SceneSurvey& survey) {
 void add_medium(const std::shared_ptr<const Medium>& medium, SceneSurvey& survey) {
     if (!medium) return;
     survey.media.insert(medium.get());
-    survey.facts.has_media |= medium->absorbs();
+    survey.facts.has_media |= medium->absorbs() || medium->emits();
+    survey.spectra.has_plain_lamps |= medium->emits();
     survey.facts.has_scattering_media |= medium->scatters();
 }
 

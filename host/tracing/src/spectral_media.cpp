@@ -18,7 +18,8 @@ SpectralMedia::SpectralMedia(const std::vector<SceneMedium>& media) {
 
 void SpectralMedia::set_wavelengths(const Wavelengths& wavelengths) {
     for (const Coloured& coloured : media_) {
-        const auto& [medium, spectra, name] = coloured.scene;
+        const auto& medium = coloured.scene.medium;
+        const MediumSpectra& spectra = coloured.scene.spectra;
         if (medium->varies()) {
             medium->set_wavelengths(&wavelengths);
             continue;
@@ -26,7 +27,8 @@ void SpectralMedia::set_wavelengths(const Wavelengths& wavelengths) {
         const MediumCoefficients& rgb = coloured.rgb;
         medium->set_coefficients({at(wavelengths, spectra.absorption, rgb.absorption),
                                   at(wavelengths, spectra.scattering, rgb.scattering),
-                                  wavelengths.values_of(rgb.asymmetry)});
+                                  wavelengths.values_of(rgb.asymmetry),
+                                  wavelengths.values_of(rgb.emission)});
     }
 }
 

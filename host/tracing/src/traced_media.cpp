@@ -12,9 +12,19 @@ namespace lxs {
 namespace {
 
 constexpr int kPlaces = 4;                    ///< on each light
+constexpr int kMostTries = 1024;              ///< where those found none
 constexpr std::size_t kMostStarts = 9;        ///< of rays that look for faults
 constexpr std::size_t kPointsOfMesh = 8;      ///< that these rays aim at
 constexpr std::size_t kMostBoundaries = 512;  ///< such points in all
+
+double radical_inverse(int base, int number) {
+    double value = 0, digit = 1;
+    for (; number > 0; number /= base) {
+        digit /= base;
+        value += digit * (number % base);
+    }
+    return value;
+}
 
 /// Where the light's photons start.
 std::vector<Vec3> places_of(const Light& light) {
@@ -24,6 +34,12 @@ std::vector<Vec3> places_of(const Light& light) {
         EmissionSample sample;
         if (light.sample_emission({x, i % 2 == 0 ? 0.3 : 0.7, 0.5, 0.5}, sample))
             places.push_back(sample.ray.origin);
+    }
+    // A medium that shines may fill little of its box: Halton's points.
+    for (int i = 1; places.empty() && i < kMostTries; ++i) {
+        EmissionSample sample;
+        const PrimaryPoint u{radical_inverse(2, i), radical_inverse(3, i), 0.5, 0.5};
+        if (light.sample_emission(u, sample)) places.push_back(sample.ray.origin);
     }
     return places;
 }
@@ -62,29 +78,62 @@ void TracedScene::bound_media() {
     const FieldJobs jobs = [](int count, const std::function<void(int)>& job) {
         tbb::parallel_for(0, count, job);
     };
+    medium_lights_.assign(media_.size(), kNoMediumLight);
     for (const SceneMedium& medium : contents_.media) {
-        if (!medium.medium->varies() || !media_.contains(medium.medium.get())) continue;
-        const MediumNumber number = media_.number_of(medium.medium.get());
-        Bounds bounds;
-        bool endless = contents_.camera_medium == medium.medium;
-        const auto add = [&](const Surface& surface, const Bounds& around) {
-            if (surface.interior == number) bounds.extendBy(around);
-            endless |= surface.exterior == number;
-        };
-        for (const Surface& surface : world_surfaces_.surfaces)
-            add(surface, bounds_of(surface));
-        for (const SurfaceGroup& object : object_surfaces_) {
-            for (const Surface& surface : object.surfaces)
-                add(surface, bounds_);
-        }
-        for (const MediumNumber declared : declared_media_)
-            endless |= declared == number;
-        if (endless) {
-            const Vec3 half(sphere_.radius);
-            bounds = Bounds(sphere_.center - half, sphere_.center + half);
-        }
-        if (!bounds.isEmpty()) medium.medium->bound(bounds, jobs);
+        const bool needs_bounds = medium.medium->varies() || medium.medium->emits();
+        if (!needs_bounds || !media_.contains(medium.medium.get())) continue;
+        const MediumExtent extent = extent_of(medium);
+        if (extent.bounds.isEmpty()) continue;
+        if (medium.medium->varies()) medium.medium->bound(extent.bounds, jobs);
+        if (medium.medium->emits()) make_medium_light(medium, extent, jobs);
     }
+}
+
+TracedScene::MediumExtent TracedScene::extent_of(const SceneMedium& medium) const {
+    const MediumNumber number = media_.number_of(medium.medium.get());
+    MediumExtent extent;
+    Bounds beside;  // around surfaces that it is outside of
+    const auto add = [&](const Surface& surface, const Bounds& around) {
+        if (surface.interior == number) extent.bounds.extendBy(around);
+        if (surface.exterior == number) beside.extendBy(around);
+    };
+    for (const Surface& surface : world_surfaces_.surfaces)
+        add(surface, bounds_of(surface));
+    for (const SurfaceGroup& object : object_surfaces_) {
+        for (const Surface& surface : object.surfaces)
+            add(surface, bounds_);
+    }
+    // What lies within the medium's own surfaces does not tell that it goes on beyond them.
+    extent.endless = contents_.camera_medium == medium.medium ||
+                     (!beside.isEmpty() && !(extent.bounds.intersects(beside.min) &&
+                                             extent.bounds.intersects(beside.max)));
+    for (std::size_t i = 0; i < declared_media_.size(); ++i) {
+        if (declared_media_[i] != number) continue;
+        const std::vector<Vec3> places = places_of(*lights_[i]);
+        extent.endless |= std::none_of(places.begin(), places.end(), [&](const Vec3& place) {
+            return extent.bounds.intersects(place);
+        });
+    }
+    if (extent.endless) {
+        const Vec3 half(sphere_.radius);
+        extent.bounds = Bounds(sphere_.center - half, sphere_.center + half);
+    }
+    return extent;
+}
+
+void TracedScene::make_medium_light(const SceneMedium& medium, const MediumExtent& extent,
+                                    const FieldJobs& jobs) {
+    const MediumNumber number = media_.number_of(medium.medium.get());
+    const MediumNumber outside = extent.endless ? number : kNoMedium;
+    const auto inside = [number, outside, meet = meet_surface()](const Vec3& position,
+                                                                 const Vec3& direction) {
+        return medium_along(meet, position, direction, outside) == number;
+    };
+    medium_lights_[number] = lights_.size();
+    lights_.push_back(lxs::make_medium_light({medium.group, false},
+                                             {medium.medium, extent.bounds, inside}, jobs));
+    light_places_.push_back(medium.where);
+    declared_media_.push_back(number);
 }
 
 void TracedScene::find_boundaries() {

@@ -221,20 +221,24 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
 bool TracedScene::find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const {
     if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) {
         hit.crossed = ray.media;
-        const Medium* const endless = medium(ray.media);
-        if (!endless) return false;
+        if (!medium(ray.media)) return false;
         hit.distance = std::min(ray.t_max, distance_to_end(sphere_, ray));
-        hit.transmittance = endless->transmittance(ray.origin, ray.direction, hit.distance);
+        add_crossed(ray, hit);
         return false;
     }
     hit.distance = raw.distance;
     return true;
 }
 
-void TracedScene::add_transmittance(const Ray& ray, SurfaceHit& hit) const {
+void TracedScene::add_crossed(const Ray& ray, SurfaceHit& hit) const {
     const Medium* const crossed = medium(hit.crossed);
     hit.transmittance =
         crossed ? crossed->transmittance(ray.origin, ray.direction, hit.distance) : Rgb(1.0f);
+    if (!crossed || !crossed->emits()) return;
+    const std::size_t light = medium_lights_[hit.crossed.innermost()];
+    if (light == kNoMediumLight) return;
+    hit.medium_light = light_pointers_[light];
+    hit.medium_emitted = crossed->emitted(ray.origin, ray.direction, hit.distance);
 }
 
 bool TracedScene::intersect_specular(const Ray& ray, SurfaceHit& hit,
@@ -251,7 +255,7 @@ bool TracedScene::intersect_specular(const Ray& ray, SurfaceHit& hit,
         ShadingPoint point;
         locate_hit(ray, raw, hit, point);
     }
-    add_transmittance(ray, hit);
+    add_crossed(ray, hit);
     return true;
 }
 
@@ -268,7 +272,7 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const {
     ShadingPoint point;
     const Surface& surface = locate_hit(ray, raw, hit, point);
-    add_transmittance(ray, hit);
+    add_crossed(ray, hit);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
     const std::uint32_t outer = placement_of(raw).object;

@@ -86,8 +86,16 @@ class TracedScene : public TraceScene {
     void make_area_lights(Diagnostics& diagnostics);
     /// Points of surfaces that bound media or are of glass.
     void find_boundaries();
-    /// Finds where media that vary in space are, and what is the most of them.
+    /// Finds where media that vary in space are, and what is the most of them; makes lights of
+    /// those that emit.
     void bound_media();
+    struct MediumExtent {
+        Bounds bounds;         ///< around all places where the medium may be; empty: there are none
+        bool endless = false;  ///< no surface bounds it
+    };
+    MediumExtent extent_of(const SceneMedium& medium) const;
+    void make_medium_light(const SceneMedium& medium, const MediumExtent& extent,
+                           const FieldJobs& jobs);
     /// In which media the camera stands, and what no surface bounds.
     void find_camera_media(Diagnostics& diagnostics);
     void make_other_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
@@ -111,10 +119,12 @@ class TracedScene : public TraceScene {
     /// read of it.
     const Surface& locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,
                               ShadingPoint& point) const;
-    /// Of what was crossed over the distance, which both stand in `hit`.
-    void add_transmittance(const Ray& ray, SurfaceHit& hit) const;
+    /// What was crossed over the distance, which both stand in `hit`, does to light.
+    void add_crossed(const Ray& ray, SurfaceHit& hit) const;
     Rgb walk_transmittance(const Ray& ray) const;
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
+
+    static constexpr std::size_t kNoMediumLight = std::numeric_limits<std::size_t>::max();
 
     SceneContents contents_;
     std::unique_ptr<RefusedValues[]> refused_;  ///< by material
@@ -130,7 +140,8 @@ class TracedScene : public TraceScene {
     std::vector<MovingPlacement> moving_;        ///< those that move, in the same order
     std::vector<Placement> placements_;          ///< the world, then the instances
     std::vector<std::unique_ptr<PlacedLight>> lights_;
-    std::vector<MediumNumber> declared_media_;                     ///< of the lights
+    std::vector<MediumNumber> declared_media_;  ///< of the lights
+    std::vector<std::size_t> medium_lights_;  ///< by number of the medium, kNoMediumLight for none
     std::vector<std::unique_ptr<SpectralLight>> spectral_lights_;  ///< by light, if asked for
     std::vector<const Light*> light_pointers_;                     ///< what lights() shows
     std::vector<SourceLocation> light_places_;                     ///< by light

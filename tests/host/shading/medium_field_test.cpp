@@ -219,6 +219,58 @@ TEST(MediumField, WhatIsFineAsItsCellsIsNotCut) {
     passed.expect(Imath::V3d(std::exp(-43 * 8 * double(Sheets::kCell))), "passed");
 }
 
+/// Layers that shine where they are dim, but for a part that is bright and dense.
+class ShiningLayers final : public MediumField {
+  public:
+    MediumCoefficients at(const Vec3& p, const Wavelengths* none) const override {
+        return Layers().at(p, none);
+    }
+    bool scatters() const override { return true; }
+    Rgb emission(const Vec3& p, const Wavelengths*) const override {
+        return Rgb(1 - std::sin(9 * p.z), p.z > 0.5f ? 3 : 0, 1);
+    }
+    bool emits() const override { return true; }
+};
+
+TEST(MediumField, ItsOwnLightIsThatOfTheIntegral) {
+    Medium medium(std::make_shared<ShiningLayers>(), Rgb(0.0f), IndexCurve{});
+    medium.bound(Bounds(Vec3(-1, -1, -1.5f), Vec3(1, 1, 1.5f)), run_serially);
+    UniformSource random(7);
+    for (const float length : {1.2f, 2.3f, 9.0f}) {
+        const TestRay middle = ray_past(0, 0);
+        constexpr int kSteps = 20'000;
+        Imath::V3d expected(0.0), depth(0.0);
+        for (int i = 0; i < kSteps; ++i) {
+            const double step = double(length) / kSteps;
+            const Vec3 p = middle.origin + middle.direction * float((i + 0.5) * step);
+            if (std::abs(p.z) > 1.5f) continue;
+            const Imath::V3d here(extinction_at(p));
+            const Imath::V3d passed(std::exp(-depth.x), std::exp(-depth.y), std::exp(-depth.z));
+            expected += Imath::V3d(ShiningLayers().emission(p, nullptr)) * passed * step;
+            depth += here * step;
+        }
+        Means emitted;
+        for (int i = 0; i < kDraws; ++i) {
+            const TestRay ray = ray_past(random.pair().x * 0.2f, random.pair().y * 0.2f);
+            emitted.add(Imath::V3d(medium.emitted(ray.origin, ray.direction, length)));
+        }
+        emitted.expect(expected, "emitted");
+    }
+    EXPECT_TRUE(is_black(medium.emitted(Vec3(0, 0, 5), Vec3(1, 0, 0), 100)));
+    EXPECT_TRUE(is_black(medium.emission_at(Vec3(0, 0, 5))));
+}
+
+TEST(MediumField, ItsOwnLightInAnEvenMediumIsExact) {
+    const Medium medium(MediumCoefficients{Rgb(0, 1, 1e-8f), Rgb(0, 1, 0), Rgb(0.0f), Rgb(1, 2, 3)},
+                        IndexCurve{});
+    const Rgb sent = medium.emitted(Vec3(0.0f), Vec3(0, 0, 1), 2);
+    EXPECT_NEAR(sent.x, 2, 1e-6f);
+    EXPECT_NEAR(sent.y, 1 - std::exp(-4.0f), 1e-6f);
+    EXPECT_NEAR(sent.z, 6, 1e-5f);
+    const Rgb through = medium.emitted(Vec3(0.0f), Vec3(0, 0, 1), INFINITY);
+    EXPECT_NEAR(through.y, 1, 1e-6f);
+}
+
 TEST(MediumField, IsNothingBeyondItsBounds) {
     const Medium medium = layered_medium();
     EXPECT_EQ(medium.transmittance(Vec3(5, 0, 0), Vec3(0, 0, 1), 100), Rgb(1.0f));

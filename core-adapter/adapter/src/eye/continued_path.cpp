@@ -56,6 +56,8 @@ class ContinuedPath {
         SurfacePoint point;
         ++result_.rays;
         const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, filter_);
+        if (point.medium_light != kNoLight)
+            add_light(point.medium_light, point.medium_emitted, nullptr);
         tip_.throughput *= point.transmittance;
         if (!met) {
             for_each_escaped(in_, tip_, filter_, [&](LightIndex light, const Rgb& seen) {

@@ -59,6 +59,7 @@ class EyePath {
             const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, filter_,
                                           emitters_only_ ? Sought::Specular : Sought::All);
             if (!emitters_only_) cross_medium(point.distance, depth);
+            if (point.medium_light != kNoLight) add_emitted_by_medium(point);
             tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
@@ -125,6 +126,13 @@ class EyePath {
         if (point.light == kNoLight || is_black(point.emitted)) return;
         const float weight = emitter_share_ * emission_weight(in_, tip_, point.light, &point);
         add(tip_.throughput * point.emitted * weight, point.light);
+    }
+
+    /// Of the medium that the ray crosses.
+    void add_emitted_by_medium(const SurfacePoint& point) {
+        const float weight =
+            emitter_share_ * emission_weight(in_, tip_, point.medium_light, nullptr);
+        add(tip_.throughput * point.medium_emitted * weight, point.medium_light);
     }
 
     void add_escaped() {

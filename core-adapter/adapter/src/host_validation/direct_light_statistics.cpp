@@ -76,6 +76,15 @@ class Place {
         return scene_.intersect(scene_.spawn(point_, direction, time_), met, arena_);
     }
 
+    /// Whether the light is that of a medium which the ray to `met` crossed.
+    bool in_medium(const SurfacePoint& met) const { return met.medium_light == number_; }
+    /// Whether it has no place where a ray meets it.
+    bool placeless(const SurfacePoint& met) const { return light_.at_infinity() || in_medium(met); }
+    Rgb seen_light(Vec3 direction, const SurfacePoint& met) const {
+        if (light_.at_infinity()) return light_.escaped(direction);
+        return in_medium(met) ? met.medium_emitted : met.emitted;
+    }
+
     /// q / (p + q) for a direction that reaches the light.
     double sample(const DirectionProposal& q) {
         DirectSample s;
@@ -87,14 +96,15 @@ class Place {
         if (s.delta) return 0;
         SurfacePoint met;
         const bool hit = trace(s.wi, met);
-        const bool at_infinity = light_.at_infinity();
-        if (!at_infinity && !reaches(s, hit, met)) return 0;
-        const Rgb seen = at_infinity ? light_.escaped(s.wi) : met.emitted;
-        const float p = light_.pdf_direct(point_, s.wi, at_infinity ? nullptr : &met);
-        statistics_.radiances.look(near(luminance(seen), luminance(s.radiance)), [&] {
-            return "radiance " + figure(luminance(s.radiance)) + " sampled, " +
-                   figure(luminance(seen)) + " seen";
-        });
+        if (!light_.at_infinity() && !in_medium(met) && !reaches(s, hit, met)) return 0;
+        const float p = light_.pdf_direct(point_, s.wi, placeless(met) ? nullptr : &met);
+        const Rgb seen = seen_light(s.wi, met);
+        // Of a medium both are estimates.
+        statistics_.radiances.look(in_medium(met) || near(luminance(seen), luminance(s.radiance)),
+                                   [&] {
+                                       return "radiance " + figure(luminance(s.radiance)) +
+                                              " sampled, " + figure(luminance(seen)) + " seen";
+                                   });
         statistics_.pdfs.look(near(p, s.pdf), [&] {
             return "pdf " + figure(s.pdf) + " sampled, pdf_direct() " + figure(p);
         });
@@ -150,6 +160,8 @@ class Place {
             gone += met.distance;
             const bool before = hit && gone < s.distance * (1 - kSame);
             if (!before) {
+                // Of a medium that emits it goes on to the next surface.
+                if (in_medium(met)) return way;
                 way.known = !hit || (met.light == number_ && near(gone, s.distance));
                 return way;
             }
@@ -208,10 +220,12 @@ class Place {
         const Vec3 w = q.sample(random_);
         const double known = q.pdf(w);
         SurfacePoint met;
-        const bool at_infinity = light_.at_infinity();
-        if (!at_infinity && !(trace(w, met) && met.light == number_)) return 0;
-        const float p = light_.pdf_direct(point_, w, at_infinity ? nullptr : &met);
-        const Rgb seen = at_infinity ? light_.escaped(w) : met.emitted;
+        if (!light_.at_infinity()) {
+            const bool hit = trace(w, met) && met.light == number_;
+            if (!hit && !in_medium(met)) return 0;
+        }
+        const float p = light_.pdf_direct(point_, w, placeless(met) ? nullptr : &met);
+        const Rgb seen = seen_light(w, met);
         const bool sound =
             statistics_.values.look(p >= 0 && std::isfinite(p) && is_valid_radiance(seen),
                                     [&] { return "pdf_direct() " + figure(p); });

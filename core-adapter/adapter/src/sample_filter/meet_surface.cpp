@@ -9,6 +9,9 @@ bool meet_surface(const Scene& scene, Ray& ray, SurfacePoint& point,
                                                 : scene.intersect(ray, point, memory);
     if (point.crossed) ray.medium = point.crossed;
     if (!filter.accept(point.transmittance, kPassageOrigin)) point.transmittance = {};
+    if (point.medium_light != kNoLight &&
+        !filter.accept(point.medium_emitted, filter.of_light(point.medium_light)))
+        point.medium_light = kNoLight;
     if (!met) return false;
     const bool is_place = is_finite(point.position) && is_finite(point.geometric_normal) &&
                           is_finite(point.shading_normal) && std::isfinite(point.distance);

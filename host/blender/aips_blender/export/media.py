@@ -8,16 +8,21 @@ NONE = (0.0, 0.0, 0.0)
 
 @dataclasses.dataclass(frozen=True)
 class Medium:
-    """Coefficients per metre, constants and names of colour textures that add to them, and the mean
-    cosine of Henyey and Greenstein's phase function."""
+    """Coefficients per metre, constants and names of colour textures that add to them, the mean
+    cosine of Henyey and Greenstein's phase function, and the radiance that it sends per metre."""
     absorbs: tuple = NONE
     scatters: tuple = NONE
     cosine: float = 0.0
     absorbing: tuple = ()
     scattering: tuple = ()
+    emits: tuple = NONE
+    emitting: tuple = ()
 
     def is_there(self):
-        return any(self.absorbs + self.absorbing) or self.is_scattering()
+        return any(self.absorbs + self.absorbing) or self.is_scattering() or self.shines()
+
+    def shines(self):
+        return any(self.emits + self.emitting)
 
     def is_scattering(self):
         return any(self.scatters + self.scattering)
@@ -42,7 +47,8 @@ def both(a, b):
     cosine = (a.weight() * a.cosine + b.weight() * b.cosine) / total if total else 0.0
     return Medium(_plus(a.absorbs, b.absorbs), _plus(a.scatters, b.scatters), cosine,
                   tuple(sorted(a.absorbing + b.absorbing)),
-                  tuple(sorted(a.scattering + b.scattering)))
+                  tuple(sorted(a.scattering + b.scattering)),
+                  _plus(a.emits, b.emits), tuple(sorted(a.emitting + b.emitting)))
 
 
 class Media:
@@ -64,9 +70,11 @@ class Media:
         if medium not in self._names:
             name = f'volume {len(self._names)}'
             self._names[medium] = name
-            varies = medium.absorbing or medium.scattering
+            varies = medium.absorbing or medium.scattering or medium.emitting
             coefficients = [color('sigma_a', self._sum(medium.absorbs, medium.absorbing)),
                             color('sigma_s', self._sum(medium.scatters, medium.scattering))]
+            if medium.shines():
+                coefficients.append(color('emission', self._sum(medium.emits, medium.emitting)))
             self.statements.append(self._text.written(
                 'MakeNamedVolume', name, 'heterogeneous' if varies else 'homogeneous',
                 parameters=[*coefficients, color('g', (medium.cosine,) * 3)]))

@@ -6,6 +6,7 @@ a number as text, or rN for the value of line N.
 import numpy as np
 
 from . import graph
+from .blackbody import COLDEST, HOTTEST, blackbody
 from .folded import folded
 from .fractals import Fractal
 from .layers import RENDERED
@@ -191,7 +192,21 @@ class Program:
         return text(self._textures.mean_by_angle(found))
 
     def blackbody(self, found):
-        return self.value(*self._textures.blackbody(found))
+        if graph.source(found.input('Temperature')) is None:
+            return self.value(*self._textures.blackbody(found))
+        return self.blackbody_at(self.float(found, 'Temperature'))
+
+    def blackbody_at(self, kelvin):
+        """Of an operand; stops as near to each other as colours differ, which is by 1 / kelvin."""
+        width = HOTTEST - COLDEST
+        stops = []
+        for i in range(RAMP_POINTS):
+            share = i / (RAMP_POINTS - 1)
+            at = 1 / (share / HOTTEST + (1 - share) / COLDEST)
+            stops += [(at - COLDEST) / width, *blackbody(at)]
+        place = self.emit('math', 'subtract', kelvin, text(COLDEST), '0')
+        place = self.emit('math', 'divide', place, text(width), '0')
+        return self.emit('ramp', 'linear', place, *map(text, stops))
 
     def tell(self, what):
         self._left_out.add(what)

@@ -1,10 +1,13 @@
 """Turns Blender's volume shaders into media, whose coefficients are constants or textures."""
+import math
+
 from . import graph
 from .media import CLEAR, NONE, Medium, both
 from .node_programs import TooLong, text
 from .volume_programs import VolumeProgram
 
 ONE_PHASE = 'HENYEY_GREENSTEIN'
+STEFAN_BOLTZMANN = 5.670373e-8 * 1e-6 / math.pi  # in Cycles' unit of brightness
 
 
 class MediumNodes:
@@ -12,7 +15,7 @@ class MediumNodes:
         self._textures = textures
         self._left_out = left_out
         self._leaves = {'VOLUME_ABSORPTION': self._absorption, 'VOLUME_SCATTER': self._scatter,
-                        'PRINCIPLED_VOLUME': self._principled}
+                        'PRINCIPLED_VOLUME': self._principled, 'EMISSION': self._emission}
 
     def of(self, place, name):
         """The Medium of what feeds a socket Volume; `name` is that of the material or world."""
@@ -35,9 +38,7 @@ class MediumNodes:
         if found.node.type in ('ADD_SHADER', 'MIX_SHADER'):
             return self._both(found, shares)
         make = self._leaves.get(found.node.type)
-        if found.node.type == 'EMISSION':
-            self._tell_light()
-        elif make is None:
+        if make is None:
             self._left_out.add(f'shaders {found.node.bl_label} of volumes are left out')
         return make(found, shares) if make else CLEAR
 
@@ -63,11 +64,11 @@ class MediumNodes:
         return self._medium(shares, cosine=cosine, scatters=lambda program: program.vector_math(
             'multiply', program.color(found, 'Color'), _density(program, found)))
 
-    def _principled(self, found, shares):
-        if any(self._is_above_0(found.input(light))
-               for light in ('Emission Strength', 'Blackbody Intensity')):
-            self._tell_light()
+    def _emission(self, found, shares):
+        return self._medium(shares, emits=lambda program: program.vector_math(
+            'multiply', program.color(found, 'Color'), _at_least_0(program, found, 'Strength')))
 
+    def _principled(self, found, shares):
         def tint(program):
             return _times_grid(program, found, 'Color Attribute', program.color(found, 'Color'))
 
@@ -81,23 +82,43 @@ class MediumNodes:
             return program.vector_math('multiply', share, density(program))
 
         return self._medium(shares, absorbs, lambda program: program.vector_math(
-            'multiply', tint(program), density(program)), self._cosine(found))
+            'multiply', tint(program), density(program)), self._cosine(found),
+                            self._shining(found))
 
-    def _is_above_0(self, place):
-        return graph.source(place) is not None or graph.constant(place) > 0
+    def _shining(self, found):
+        """What a Principled Volume sends: Cycles' sum of a colour and of a black body."""
+        glows, burns = [_is_above_0(found.input(name))
+                        for name in ('Emission Strength', 'Blackbody Intensity')]
 
-    def _tell_light(self):
-        self._left_out.add('light of volumes is left out')
+        def emits(program):
+            colour, body = '0', '0'
+            if glows:
+                colour = program.vector_math('multiply', program.color(found, 'Emission Color'),
+                                             _at_least_0(program, found, 'Emission Strength'))
+            if burns:
+                kelvin = _times_grid(program, found, 'Temperature Attribute',
+                                     _at_least_0(program, found, 'Temperature'))
+                power = program.emit('math', 'power', kelvin, '4', '0')
+                share = program.clamped(program.float(found, 'Blackbody Intensity'))
+                power = program.emit('mix', 'mix', share, '1', power)
+                power = program.emit('math', 'multiply', power, text(STEFAN_BOLTZMANN), '0')
+                tint = program.vector_math('multiply', program.color(found, 'Blackbody Tint'),
+                                           power)
+                body = program.vector_math('multiply', program.blackbody_at(kelvin), tint)
+            return program.vector_math('add', colour, body)
+
+        return emits if glows or burns else None
 
     def _cosine(self, found):
         return self._textures.constant_number(found.input('Anisotropy'), 'anisotropies of volumes')
 
-    def _medium(self, shares, absorbs=None, scatters=None, cosine=0.0):
+    def _medium(self, shares, absorbs=None, scatters=None, cosine=0.0, emits=None):
         """Of what gives an operand of a VolumeProgram."""
-        values = [self._value(make, shares) if make else NONE for make in (absorbs, scatters)]
-        (absorbs, absorbing), (scatters, scattering) = [
+        values = [self._value(make, shares) if make else NONE
+                  for make in (absorbs, scatters, emits)]
+        (absorbs, absorbing), (scatters, scattering), (emits, emitting) = [
             (NONE, (value,)) if isinstance(value, str) else (value, ()) for value in values]
-        medium = Medium(absorbs, scatters, cosine, absorbing, scattering)
+        medium = Medium(absorbs, scatters, cosine, absorbing, scattering, emits, emitting)
         return medium if medium.is_there() else CLEAR
 
     def _value(self, make, shares):
@@ -120,8 +141,16 @@ class MediumNodes:
         return self._textures.of_program(program, operand, 'plain')
 
 
+def _is_above_0(place):
+    return graph.source(place) is not None or graph.constant(place) > 0
+
+
 def _density(program, found):
-    return program.emit('math', 'maximum', program.float(found, 'Density'), '0', '0')
+    return _at_least_0(program, found, 'Density')
+
+
+def _at_least_0(program, found, name):
+    return program.emit('math', 'maximum', program.float(found, name), '0', '0')
 
 
 def _times_grid(program, found, which, operand):

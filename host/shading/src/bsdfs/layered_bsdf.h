@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "hashed_numbers.h"
 #include "lxs/sdk/bsdf.h"
+#include "lxs/sdk/hashed_numbers.h"
 
 namespace lxs::shading {
 

@@ -1,5 +1,5 @@
 // Media "clear" (absorbing), "homogeneous" (absorbing and scattering) and "heterogeneous"
-// (likewise, and varying in space).
+// (likewise, and varying in space). All may shine by themselves.
 #include "media_plugins.h"
 
 #include <fmt/format.h>
@@ -14,6 +14,8 @@ namespace lxs::shading {
 namespace {
 
 constexpr float kNoLimit = std::numeric_limits<float>::max();
+/// Greatest coefficient: sums of two stay finite.
+constexpr float kDensest = 1e30f;
 /// Greatest mean cosine of scattering: beyond it single precision can't tell light from
 /// unscattered.
 constexpr float kMostAsymmetry = 0.999f;
@@ -73,15 +75,14 @@ ParameterDeclaration fresnel_parameter() {
     return fresnel;
 }
 
-/// Greatest coefficient: sums of two stay finite.
-constexpr float kDensest = 1e30f;
-
 /// Coefficients by textures in world space.
 class TexturedField final : public MediumField {
   public:
     using Colour = std::shared_ptr<const ColorTexture>;
-    TexturedField(Colour absorption, Colour scattering)
-        : absorption_(std::move(absorption)), scattering_(std::move(scattering)) {}
+    TexturedField(Colour absorption, Colour scattering, Colour emission)
+        : absorption_(std::move(absorption)),
+          scattering_(std::move(scattering)),
+          emission_(std::move(emission)) {}
 
     MediumCoefficients at(const Vec3& position, const Wavelengths* wavelengths) const override {
         TexturePoint point;
@@ -89,15 +90,25 @@ class TexturedField final : public MediumField {
         point.wavelengths = wavelengths;
         return {of(*absorption_, point), of(*scattering_, point), Rgb(0.0f)};
     }
+    Rgb emission(const Vec3& position, const Wavelengths* wavelengths) const override {
+        TexturePoint point;
+        point.p = position;
+        point.use = ColourUse::Light;
+        const Rgb sent = without_refused(emission_->evaluate(point));
+        return wavelengths ? wavelengths->values_of(sent) : sent;
+    }
+    bool emits() const override { return is_above_zero(*emission_); }
     float cell_size() const override {
         return smaller_cell(absorption_->cell_size(), scattering_->cell_size());
     }
-    bool scatters() const override {
-        const std::optional<Rgb> everywhere = scattering_->constant();
-        return !everywhere || max_component(*everywhere) > 0;
-    }
+    bool scatters() const override { return is_above_zero(*scattering_); }
 
   private:
+    /// Whether it is above 0 anywhere, as far as can be told.
+    static bool is_above_zero(const ColorTexture& texture) {
+        const std::optional<Rgb> everywhere = texture.constant();
+        return !everywhere || max_component(*everywhere) > 0;
+    }
     static Rgb of(const ColorTexture& texture, const TexturePoint& point) {
         Rgb value = texture.evaluate(point);
         if (point.wavelengths != nullptr) {
@@ -105,12 +116,20 @@ class TexturedField final : public MediumField {
             value = spectrum ? spectrum->amounts_at(*point.wavelengths)
                              : point.wavelengths->values_of(value);
         }
+        return without_refused(value);
+    }
+    static Rgb without_refused(const Rgb& value) {
         const auto valid = [](float x) { return x > 0 ? std::min(x, kDensest) : 0.0f; };
         return {valid(value.x), valid(value.y), valid(value.z)};
     }
 
-    Colour absorption_, scattering_;
+    Colour absorption_, scattering_, emission_;
 };
+
+ParameterDeclaration emission_parameter() {
+    return {"emission", ParameterType::ColorTexture, "0 0 0",
+            "light of the medium's own: radiance per unit of distance"};
+}
 
 std::vector<ParameterDeclaration> scattering_parameters() {
     using enum ParameterType;
@@ -120,7 +139,8 @@ std::vector<ParameterDeclaration> scattering_parameters() {
              "scattering per unit of distance; rendered with VolumeIntegrator \"multi\""},
             {"g", ColorTexture, "0 0 0",
              "mean cosine of the angle of scattering (Henyey and Greenstein's phase function), -1 "
-             "to 1: backwards to forwards"}};
+             "to 1: backwards to forwards"},
+            emission_parameter()};
 }
 
 }  // namespace
@@ -128,12 +148,16 @@ std::vector<ParameterDeclaration> scattering_parameters() {
 MediumFactory clear_plugin() {
     return {
         {fresnel_parameter(),
-         {"absorption", ParameterType::ColorTexture, "0 0 0", "absorption per unit of distance"}},
+         {"absorption", ParameterType::ColorTexture, "0 0 0", "absorption per unit of distance"},
+         emission_parameter()},
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
             const auto absorption = read_coefficient(reader, assets, "absorption", 0, kNoLimit);
-            return SceneMedium(std::make_shared<Medium>(MediumCoefficients{absorption.value},
-                                                        read_index(reader, assets)),
-                               {absorption.spectrum, nullptr});
+            const auto emission = read_coefficient(reader, assets, "emission", 0, kDensest);
+            return SceneMedium(
+                std::make_shared<Medium>(
+                    MediumCoefficients{absorption.value, Rgb(0.0f), Rgb(0.0f), emission.value},
+                    read_index(reader, assets)),
+                {absorption.spectrum, nullptr});
         }};
 }
 
@@ -144,10 +168,12 @@ MediumFactory homogeneous_plugin() {
             const auto absorption = read_coefficient(reader, assets, "sigma_a", 0, kNoLimit);
             const auto scattering = read_coefficient(reader, assets, "sigma_s", 0, kNoLimit);
             const auto g = read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry);
-            return SceneMedium(std::make_shared<Medium>(
-                                   MediumCoefficients{absorption.value, scattering.value, g.value},
-                                   read_index(reader, assets)),
-                               {absorption.spectrum, scattering.spectrum});
+            const auto emission = read_coefficient(reader, assets, "emission", 0, kDensest);
+            return SceneMedium(
+                std::make_shared<Medium>(
+                    MediumCoefficients{absorption.value, scattering.value, g.value, emission.value},
+                    read_index(reader, assets)),
+                {absorption.spectrum, scattering.spectrum});
         }};
 }
 
@@ -157,16 +183,17 @@ MediumFactory heterogeneous_plugin() {
                                "length of LuxRender's steps"};
     steps.no_effect = true;
     parameters.push_back(steps);
-    return {std::move(parameters),
-            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-                const auto absorption = read_color_texture(reader, assets, "sigma_a", Rgb(0.0f));
-                const auto scattering = read_color_texture(reader, assets, "sigma_s", Rgb(0.0f));
-                const auto g =
-                    read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry);
-                const auto field = std::make_shared<TexturedField>(absorption, scattering);
-                return SceneMedium(
-                    std::make_shared<Medium>(field, g.value, read_index(reader, assets)));
-            }};
+    return {
+        std::move(parameters),
+        [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+            const auto absorption = read_color_texture(reader, assets, "sigma_a", Rgb(0.0f));
+            const auto scattering = read_color_texture(reader, assets, "sigma_s", Rgb(0.0f));
+            const auto g = read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry);
+            const auto emission = read_color_texture(reader, assets, "emission", Rgb(0.0f));
+            const auto field = std::make_shared<TexturedField>(absorption, scattering, emission);
+            return SceneMedium(
+                std::make_shared<Medium>(field, g.value, read_index(reader, assets)));
+        }};
 }
 
 }  // namespace lxs::shading

@@ -37,11 +37,13 @@ struct SurfacePoint {
     Rgb transmittance{1, 1, 1};  ///< of the medium passed
     Rgb emitted;                 ///< radiance towards the ray's origin
     LightIndex light = kNoLight;
-    const Bsdf* bsdf = nullptr;     ///< null: absorbs everything
-    std::uint32_t material = 0;     ///< index of a name, for reports
-    std::uint32_t object = 0;       ///< likewise, for a film's masks alone
-    std::uint32_t primitive = 0;    ///< within the light's shape
-    Vec3 position_error;            ///< rounding error bound per coordinate
+    Rgb medium_emitted;                  ///< radiance of that medium's own that comes to the origin
+    LightIndex medium_light = kNoLight;  ///< that this is of
+    const Bsdf* bsdf = nullptr;          ///< null: absorbs everything
+    std::uint32_t material = 0;          ///< index of a name, for reports
+    std::uint32_t object = 0;            ///< likewise, for a film's masks alone
+    std::uint32_t primitive = 0;         ///< within the light's shape
+    Vec3 position_error;                 ///< rounding error bound per coordinate
     const void* crossed = nullptr;  ///< what the ray was in, if the host knows better than its mark
     const void* interior = nullptr;  ///< mark of a ray that leaves the point behind the surface
     const void* exterior = nullptr;  ///< likewise before it
@@ -116,12 +118,13 @@ class Scene {
   public:
     virtual ~Scene() = default;
     /// Nearest surface; its Bsdf is built in `memory` and lives as long as that does. If there is
-    /// none, `distance` says how far the ray's medium goes, and `transmittance` what passes it.
+    /// none, `distance` says how far the ray's medium goes, and `transmittance` and
+    /// `medium_emitted` what passes it and comes of it.
     virtual bool intersect(const Ray& ray, SurfacePoint& point,
                            std::pmr::memory_resource& memory) const = 0;
     /// The same for a path that looks for emitters through specular surfaces: where it meets what
-    /// is no emitter and has no specular lobe, it may leave all but `distance` and `transmittance`
-    /// as it is.
+    /// is no emitter and has no specular lobe, it may leave all but `distance` and what media do to
+    /// light as it is.
     virtual bool intersect_specular(const Ray& ray, SurfacePoint& point,
                                     std::pmr::memory_resource& memory) const {
         return intersect(ray, point, memory);

@@ -77,6 +77,22 @@ class AreaLight : public PlacedLight {
 std::unique_ptr<AreaLight> make_area_light(const Primitive& primitive,
                                            const Matrix& instance_to_world);
 
+/// Where a medium that emits is.
+struct EmittingVolume {
+    std::shared_ptr<const Medium> medium;
+    Bounds bounds;  ///< around all of it
+    /// Whether a place within them is in the medium; `direction`, unit, is one along which it is
+    /// looked for what bounds the medium there.
+    std::function<bool(const Vec3& position, const Vec3& direction)> inside;
+
+    /// Radiance that is sent there per unit of distance; black outside of the medium.
+    Rgb emission(const Vec3& position, const Vec3& direction) const;
+};
+
+/// The light that a medium sends by itself.
+std::unique_ptr<PlacedLight> make_medium_light(const LightPlacement& placement,
+                                               EmittingVolume volume, const FieldJobs& jobs);
+
 /// Names that make_lights knows, with their declared parameters, for docs and messages.
 struct LightPlugin {
     std::string name;

@@ -45,6 +45,8 @@ class Medium {
         : Medium({absorption, Rgb(0.0f), Rgb(0.0f)}, IndexCurve{index}) {}
     Medium(const MediumCoefficients& coefficients, const IndexCurve& index) : index_(index) {
         set_coefficients(coefficients);
+        own_emission_ = coefficients.emission;
+        emits_ = !is_black(own_emission_);
     }
 
     /// A medium that varies; bound() comes before any light.
@@ -52,6 +54,7 @@ class Medium {
         : extinction_(1.0f),
           scattering_(field->scatters() ? 1.0f : 0.0f),
           asymmetry_(asymmetry),
+          emits_(field->emits()),
           index_(index),
           field_(std::move(field)) {}
 
@@ -65,12 +68,13 @@ class Medium {
     }
 
     MediumCoefficients coefficients() const {
-        return {extinction_ - scattering_, scattering_, asymmetry_};
+        return {extinction_ - scattering_, scattering_, asymmetry_, emission_};
     }
     void set_coefficients(const MediumCoefficients& c) {
         extinction_ = c.absorption + c.scattering;
         scattering_ = c.scattering;
         asymmetry_ = c.asymmetry;
+        emission_ = c.emission;
     }
 
     /// Share of light that goes `distance` without a collision (Beer-Lambert).
@@ -92,6 +96,16 @@ class Medium {
     Rgb scattering_at(const Vec3& position) const {
         return bounded_ ? bounded_->at(position).scattering : scattering_;
     }
+    /// Sends light of its own.
+    bool emits() const { return emits_; }
+    /// Radiance that it sends per unit of distance, at a place: for R, G and B, whatever the pass
+    /// has.
+    Rgb emission_at(const Vec3& position) const {
+        return bounded_ ? bounded_->emission(position) : own_emission_;
+    }
+    /// Light of its own that reaches the origin of a ray from its first `length`; where the medium
+    /// varies, an estimate that is right in the mean.
+    Rgb emitted(const Vec3& origin, const Vec3& direction, float length) const;
 
     /// Draws the distance to a collision on a segment (which may be infinite) from u in [0,1)^2.
     /// `carried` is what the path carries: channels that carry more decide more often.
@@ -110,6 +124,8 @@ class Medium {
 
   private:
     Rgb extinction_, scattering_, asymmetry_;
+    Rgb emission_{0.0f}, own_emission_{0.0f};  // the latter for R, G and B
+    bool emits_ = false;
     IndexCurve index_;
     std::shared_ptr<const MediumField> field_;  // null: the same everywhere
     std::optional<BoundedField> bounded_;

@@ -5,12 +5,12 @@
 // and decomposition tracking for rendering heterogeneous volumes" (weights of several channels).
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "lxs/sdk/grid_walk.h"
+#include "lxs/sdk/hashed_numbers.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs {
@@ -21,11 +21,13 @@ struct Wavelengths;  // lxs/spectrum
 struct MediumCoefficients {
     Rgb absorption{0.0f}, scattering{0.0f};
     Rgb asymmetry{0.0f};  ///< mean cosine of the angle of scattering, in (-1, 1)
+    Rgb emission{0.0f};   ///< radiance that it sends by itself
 
     Rgb extinction() const { return absorption + scattering; }
 };
 
-/// Absorption and scattering by place; asymmetry is the same everywhere, and left out.
+/// Absorption and scattering by place; asymmetry is the same everywhere, and left out, and emission
+/// is asked for apart.
 class MediumField {
   public:
     virtual ~MediumField() = default;
@@ -33,6 +35,12 @@ class MediumField {
     virtual MediumCoefficients at(const Vec3& position, const Wavelengths* wavelengths) const = 0;
     /// Whether it scatters anywhere.
     virtual bool scatters() const = 0;
+    /// Radiance that it sends by itself per unit of distance, likewise.
+    virtual Rgb emission(const Vec3& /*position*/, const Wavelengths* /*wavelengths*/) const {
+        return Rgb(0.0f);
+    }
+    /// Whether it sends light anywhere.
+    virtual bool emits() const { return false; }
     /// Of a field of cells, the least side of one; 0: of no cells.
     virtual float cell_size() const { return 0; }
 };
@@ -56,28 +64,26 @@ class BoundedField {
     MediumCoefficients at(const Vec3& position) const;
     /// Mean over the bounds.
     const MediumCoefficients& mean() const { return mean_; }
+    /// MediumField::emission() at a place, for R, G and B whatever the pass has.
+    Rgb emission(const Vec3& position) const {
+        return grid_.bounds.intersects(position) ? field_->emission(position, nullptr) : Rgb(0.0f);
+    }
+    /// Light of its own that reaches `origin` from the first `length` of a ray: an estimate that is
+    /// right in the mean, drawn by `numbers`.
+    Rgb emitted(const Vec3& origin, const Vec3& direction, float length,
+                HashedNumbers numbers) const;
 
     /// Flies from `origin` until `collide(distance, coefficients, majorant)` returns true, which it
     /// is asked where light may collide: at random, `majorant` times per unit of distance. False if
-    /// the flight of `length`, which may be infinite, ends first. `seed` draws the places.
+    /// the flight of `length`, which may be infinite, ends first. `numbers` draw the places.
     template <class Collide>
-    bool fly(const Vec3& origin, const Vec3& direction, float length, std::uint64_t seed,
+    bool fly(const Vec3& origin, const Vec3& direction, float length, HashedNumbers numbers,
              Collide&& collide) const;
 
   private:
-    /// A flight's way through the cells.
-    class Cells;
-    std::size_t index(const std::array<int, 3>& cell) const {
-        return (std::size_t(cell[2]) * std::size_t(cells_[1]) + std::size_t(cell[1])) *
-                   std::size_t(cells_[0]) +
-               std::size_t(cell[0]);
-    }
-
     std::shared_ptr<const MediumField> field_;
-    Bounds bounds_;
     const Wavelengths* wavelengths_ = nullptr;
-    std::array<int, 3> cells_{1, 1, 1};
-    Vec3 width_{1.0f};              // of a cell
+    RegularGrid grid_;
     std::vector<float> majorants_;  // [cell]: of the extinction of any component
     MediumCoefficients mean_;
 };

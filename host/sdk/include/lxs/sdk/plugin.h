@@ -15,7 +15,7 @@
 namespace lxs {
 
 /// Raised with every change of the SDK's headers that changes their binary layout.
-inline constexpr std::uint32_t kAbiVersion = 20;
+inline constexpr std::uint32_t kAbiVersion = 21;
 
 /// One surface integrator that a module offers.
 struct IntegratorPlugin {

@@ -28,7 +28,9 @@ struct SurfaceHit {
     const Bsdf* bsdf = nullptr;    ///< null: scatters nothing
     const Light* light = nullptr;  ///< emissive surface's light, else null
     Rgb emitted{0.0f};             ///< radiance it sends towards the ray's origin
-    EnteredMedia crossed = {};     ///< what the ray travelled in, which the surface may know better
+    Rgb medium_emitted{0.0f};  ///< radiance of the medium's own that comes to it over `distance`
+    const Light* medium_light = nullptr;  ///< that this is of; null if the medium does not emit
+    EnteredMedia crossed = {};    ///< what the ray travelled in, which the surface may know better
     EnteredMedia interior = {};   ///< what a ray that leaves the hit behind the surface (-ng) is in
     EnteredMedia exterior = {};   ///< likewise before it (+ng)
     std::uint32_t primitive = 0;  ///< triangle within the light's shape (Light::pdf_direct)
@@ -42,7 +44,7 @@ struct SceneFacts {
     bool has_glossy = false;            ///< some surface has a glossy lobe
     bool has_specular = false;          ///< some surface has a specular lobe
     bool has_transmission = false;      ///< some surface lets light through
-    bool has_media = false;             ///< some medium dims light
+    bool has_media = false;             ///< some medium dims or emits light
     bool has_scattering_media = false;  ///< some medium scatters, and that is to be rendered
     bool has_motion = false;
     bool disperses = false;  ///< some surface bends each wavelength its own way
@@ -61,12 +63,12 @@ class Scene {
 
     /// Nearest surface along `ray`; builds its Bsdf in `memory` (see Bsdf for lifetime). If there
     /// is none, `distance` says how far the ray's medium goes, up to the end of the scene, and
-    /// `transmittance` what of light passes it.
+    /// `transmittance` and `medium_emitted` what of light passes it and comes of it.
     virtual bool intersect(const Ray& ray, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const = 0;
     /// The same for a path that looks for emitters through specular surfaces: where it meets what
-    /// is no emitter and has no specular lobe, all but `distance` and `transmittance` may be left
-    /// out.
+    /// is no emitter and has no specular lobe, all but `distance` and what media do to light may be
+    /// left out.
     virtual bool intersect_specular(const Ray& ray, SurfaceHit& hit,
                                     std::pmr::memory_resource& memory) const {
         return intersect(ray, hit, memory);

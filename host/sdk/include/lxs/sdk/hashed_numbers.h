@@ -1,5 +1,5 @@
-// Random numbers that follow from what they are for: a Bsdf that estimates its value by a random
-// walk must give the same value whenever it is asked the same question.
+// Random numbers that follow from what they are for: who estimates a value by a random walk, and is
+// given no numbers for it, must give the same value whenever it is asked the same question.
 // Source: Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators"
 // (SplitMix64).
 #pragma once
@@ -9,7 +9,7 @@
 
 #include "lxs/sdk/types.h"
 
-namespace lxs::shading {
+namespace lxs {
 
 class HashedNumbers {
   public:
@@ -42,4 +42,4 @@ class HashedNumbers {
     std::uint64_t state_ = 0;
 };
 
-}  // namespace lxs::shading
+}  // namespace lxs

@@ -223,8 +223,8 @@ WorldEnd
 }
 
 TEST(MediaAgreement, AFlameLightsWhatIsAroundItAndInIt) {
-    expect_agreement(flame(), "400",
-                     "24 --set aips.guide=none --set aips.startradius=0.15 "
+    expect_agreement(flame(), "200",
+                     "10 --set aips.guide=none --set aips.startradius=0.15 "
                      "--set aips.photonperpass=30000",
                      0.01, 0.012);
 }

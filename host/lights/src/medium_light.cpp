@@ -12,8 +12,10 @@
 namespace lxs {
 namespace {
 
-/// Cells along the longest side, and samples along a side of each.
-constexpr int kMostCells = 32, kSamplesOfACell = 2;
+constexpr int kMostCells = 32;           ///< along the longest side
+constexpr unsigned kSamplesOfACell = 8;  ///< one in each octant
+/// Along which what bounds the medium is looked for there: along no axis or diagonal.
+const Vec3 kAnyWay(0.48f, 0.36f, 0.8f);
 /// Share of points that are drawn anywhere in the box: samples miss what is small.
 constexpr float kAnywhere = 0.1f;
 
@@ -25,14 +27,14 @@ std::vector<float> sent_by_cells(const EmittingVolume& volume, const RegularGrid
         for (int y = 0; y < grid.cells[1]; ++y) {
             for (int x = 0; x < grid.cells[0]; ++x) {
                 double sum = 0;
-                for (int i = 0; i < kSamplesOfACell * kSamplesOfACell * kSamplesOfACell; ++i) {
-                    const Vec3 part(float(i % 2), float(i / 2 % 2), float(i / 4));
-                    const Vec3 place = grid.bounds.min + (Vec3(float(x), float(y), float(z)) +
-                                                          (part + Vec3(0.5f)) * 0.5f) *
-                                                             grid.width;
-                    sum += double(luminance(volume.emission(place, Vec3(0.57f, 0.23f, 0.79f))));
+                for (unsigned i = 0; i < kSamplesOfACell; ++i) {
+                    const Vec3 octant(float(i & 1u), float(i >> 1 & 1u), float(i >> 2));
+                    const Vec3 cell = Vec3(float(x), float(y), float(z));
+                    const Vec3 place =
+                        grid.bounds.min + (cell + octant * 0.5f + Vec3(0.25f)) * grid.width;
+                    sum += double(luminance(volume.emission(place, kAnyWay)));
                 }
-                sent[grid.index({x, y, z})] = float(sum / 8);
+                sent[grid.index({x, y, z})] = float(sum / kSamplesOfACell);
             }
         }
     });
@@ -68,7 +70,8 @@ MediumLight::Point MediumLight::sample_point(const Vec2& u) const {
     const DrawnCell drawn = cells_.draw(u);
     HashedNumbers numbers = HashedNumbers().about(u.x).about(u.y);
     const auto height = std::size_t(grid_.cells[1]);
-    const Vec3 cell(float(drawn.column), float(drawn.row % height), float(drawn.row / height));
+    const std::size_t y = drawn.row % height, z = drawn.row / height;
+    const Vec3 cell(float(drawn.column), float(y), float(z));
     const Vec3 share(drawn.share.x, drawn.share.y, numbers.next());
     return {grid_.bounds.min + (cell + share) * grid_.width, drawn.probability / cell_volume_,
             numbers.next()};

@@ -7,6 +7,7 @@
 
 #include "light_cases.h"
 #include "lxs/sdk/medium.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs::medium_light_test {
 namespace {
@@ -117,7 +118,8 @@ TEST(MediumLight, AHotPlaceLightsAsItsIntegralSays) {
     constexpr int kSide = 160;
     double expected = 0;
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
-        const Vec3 part(float(i % kSide), float(i / kSide % kSide), float(i / kSide / kSide));
+        const int x = i % kSide, y = i / kSide % kSide, z = i / kSide / kSide;
+        const Vec3 part{float(x), float(y), float(z)};
         const Vec3 off = ((part + Vec3(0.5f)) * (2.0f / kSide) - Vec3(1.0f)) * kRadius;
         if (off.length() >= kRadius) continue;
         const Vec3 to = kCentre + off - p;

@@ -93,9 +93,9 @@ std::set<std::string> rules_of_advice(const Result& result) {
 /// Of which scenes/README.md says that `path` misses caustics or most light. It says so of hall,
 /// car, still-life and summerhouse too, whose glass is a small part of the picture: a few rays
 /// don't tell.
-const std::set<std::string> kNeedPhotons{"bathroom",   "chess",       "glass-ball", "jewellery",
-                                         "magic-lamp", "open-ground", "pool",       "prism",
-                                         "ring",       "room",        "sun-window"};
+const std::set<std::string> kNeedPhotons{"bathroom",  "candle",     "chess",       "glass-ball",
+                                         "jewellery", "magic-lamp", "open-ground", "pool",
+                                         "prism",     "ring",       "room",        "sun-window"};
 /// What `path` sees of these in two passes is black but for bright dots.
 const std::set<std::string> kDarkInPath{"bathroom", "magic-lamp", "sun-window"};
 

@@ -116,7 +116,8 @@ class Place {
     bool reaches(const DirectSample& s, bool hit, const SurfacePoint& met) {
         const bool there = hit && near(met.distance, s.distance) && met.light == number_;
         const bool nearer = hit && met.distance < s.distance * (1 + kSame);
-        if (there || !nearer) {
+        // A light that is drawn where it is black need not be there.
+        if ((there || !nearer) && !is_black(s.radiance)) {
             statistics_.missed.look(there, [&] {
                 return "a light point at distance " + figure(s.distance) + ", where a ray meets " +
                        (hit ? "something at " + figure(met.distance) : std::string("nothing"));

@@ -184,6 +184,37 @@ TEST(Spectral, SmoothSpectraStayInRgb) {
     EXPECT_TRUE(says(colour, "wavelengths (nothing disperses)")) << colour.log;
 }
 
+/// By wavelengths, `volume` "heterogeneous" and "clear" with the same coefficients everywhere.
+TEST(Spectral, MediaThatVaryHaveTheColoursOfEvenOnes) {
+    const render::Folder folder;
+    const auto mean_with = [&](const std::string& volume) {
+        const auto scene = folder.write("glow.lxs", R"(LookAt 0 0 5  0 0 0  0 1 0
+Camera "perspective" "float fov" [20]
+Film "fleximage" "integer xresolution" [16] "integer yresolution" [16]
+SurfaceIntegrator "path"
+WorldBegin
+MakeNamedVolume "glow" )" + volume + R"( "color emission" [0.8 0.4 0.1]
+LightSource "infinite" "color L" [0.3 0.6 1]
+AttributeBegin
+Interior "glow"
+Material "null"
+Shape "sphere" "float radius" [1]
+AttributeEnd
+Translate 0 0 40
+Material "glass" "float cauchyb" [0.01]
+Shape "sphere"
+WorldEnd
+)");
+        return region(render::render(scene, "--passes 40", folder), 0, 1000, 0, 1000);
+    };
+    const Colour even = mean_with("\"clear\" \"color absorption\" [0 0.5 2]");
+    const Colour varying = mean_with("\"heterogeneous\" \"color sigma_a\" [0 0.5 2]");
+    EXPECT_NEAR(varying.r, even.r, 0.005 * even.r);
+    EXPECT_NEAR(varying.g, even.g, 0.005 * even.g);
+    EXPECT_NEAR(varying.b, even.b, 0.005 * even.b);
+    EXPECT_GT(even.r, 1.5 * even.g);
+}
+
 TEST(Spectral, SameBitsForAnyNumberOfThreads) {
     const render::Folder folder;
     const auto scene = render::small_scene("prism", folder, 64, 48);

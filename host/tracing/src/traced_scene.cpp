@@ -149,7 +149,7 @@ void TracedScene::make_other_lights(const AssetResolver& resolve, Diagnostics& d
 void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
     const bool first = !wavelengths_;
     wavelengths_ = wavelengths;
-    spectral_media_.set_wavelengths(wavelengths);
+    spectral_media_.set_wavelengths(*wavelengths_);  // which media that vary ask during the pass
     if (first) make_spectral_lights();
     spectral_lamps_.set_wavelengths(wavelengths);
 }
